@@ -1,0 +1,108 @@
+//! What is wrong with a scene file, and where.
+
+use core::error::Error;
+use core::fmt;
+
+/// A scene file that cannot be read. It prints as `scene.dat:12:5: expected ..., found ...`.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct SceneError {
+    /// The name that the file was read under.
+    pub file: String,
+    /// Line, from 1.
+    pub line: u32,
+    /// Column, from 1, in characters.
+    pub column: u32,
+    /// What should stand there, with its range: `the radius of sphere 3 of 70 (a number > 0)`.
+    pub expected: String,
+    /// What stands there.
+    pub found: Found,
+}
+
+/// What stands in a scene file where something else should. The texts are ready to print: of long ones only the
+/// beginning is kept, and control characters are escaped.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Found {
+    /// A number, or several, of the wrong size or kind.
+    Number(String),
+    /// Something that is no number at all.
+    NotANumber(String),
+    /// A number that is infinite, undefined, or too large for `f64`.
+    NotFinite(String),
+    /// The file ends here.
+    EndOfFile,
+    /// The file has nothing in it but white space and comments.
+    EmptyFile,
+    /// A byte that is not text: a NUL, or one that is not UTF-8.
+    Binary(u8),
+}
+
+impl Found {
+    /// Longest piece of a file that an error repeats, in characters.
+    const LONGEST: usize = 32;
+
+    /// Tells what `token` is, for an error.
+    pub(crate) fn token(token: &str) -> Self {
+        let shown = Self::show(token);
+        match token.parse::<f64>() {
+            Ok(number) if number.is_finite() => Self::Number(shown),
+            Ok(_) => Self::NotFinite(shown),
+            Err(_) => Self::NotANumber(shown),
+        }
+    }
+
+    fn show(token: &str) -> String {
+        let mut shown: String = token.chars().take(Self::LONGEST).flat_map(char::escape_debug).collect();
+        if token.chars().nth(Self::LONGEST).is_some() {
+            shown.push_str("...");
+        }
+        shown
+    }
+}
+
+impl fmt::Display for Found {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Number(text) => write!(f, "{text}"),
+            Self::NotANumber(text) => write!(f, "\"{text}\", not a number"),
+            Self::NotFinite(text) => write!(f, "{text}, not a finite number"),
+            Self::EndOfFile => write!(f, "end of file"),
+            Self::EmptyFile => write!(f, "an empty file"),
+            Self::Binary(byte) => write!(f, "a binary file (byte {byte:#04x})"),
+        }
+    }
+}
+
+impl fmt::Display for SceneError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { file, line, column, expected, found } = self;
+        write!(f, "{file}:{line}:{column}: expected {expected}, found {found}")
+    }
+}
+
+impl Error for SceneError {}
+
+#[cfg(test)]
+mod tests {
+    use super::Found;
+
+    #[test]
+    fn tokens_are_told_apart() {
+        assert_eq!(Found::token("-1.5e3"), Found::Number("-1.5e3".into()));
+        for token in ["inf", "-Infinity", "NaN", "1e400"] {
+            assert_eq!(Found::token(token), Found::NotFinite(token.into()));
+        }
+        for token in ["0x10", "1,5", "--1", "1e", "radius", "1f"] {
+            assert_eq!(Found::token(token), Found::NotANumber(token.into()));
+        }
+    }
+
+    #[test]
+    fn long_and_unprintable_tokens_are_shown_short_and_escaped() {
+        assert_eq!(Found::token("\u{1b}[31m\u{7}").to_string(), r#""\u{1b}[31m\u{7}", not a number"#);
+        assert_eq!(Found::token(&"9".repeat(32)).to_string(), "9".repeat(32));
+        assert_eq!(Found::token(&"9".repeat(33)).to_string(), "9".repeat(32) + "...");
+        assert_eq!(Found::token(&"é".repeat(40)), Found::NotANumber("é".repeat(32) + "..."));
+    }
+}
