@@ -1,0 +1,129 @@
+//! The driver: a display on top of the calls.
+
+use rta_core::color::Rgb;
+
+use super::{CAPABILITIES, ColorModel, GpError, Graphigs, Ibid, Ncid, ONE, PixelArray, PixelOrder, Wsid};
+use super::{Pair, WorkstationType};
+use crate::display::{Capabilities, Display, DriverError, ReadBack};
+
+const WSID: Wsid = Wsid(1);
+const IBID: Ibid = Ibid(1);
+/// The nucleus that GPOPPH makes.
+const NCID: Ncid = Ncid(1);
+/// Bits of the image board: the least depth, of those a nucleus has, that holds 128 indices.
+const DEPTH: u32 = 8;
+/// Colours converted at once; they wait on the stack.
+const CHUNK: usize = 32;
+/// One level of a 4-bit gun as a fraction of [`ONE`]: exact.
+const STEP: u16 = ONE / CAPABILITIES.gun_max as u16;
+
+/// Draws on a graPHIGS workstation: opens it, makes an image board of the size of the screen, and turns
+/// colours into GPCR and rows into GPWRCT.
+///
+/// Colours take effect with [`Display::update`], as GPCR has it. Rows of a [`Display`] count from the top,
+/// those of a board from the bottom; the driver turns them.
+#[derive(Clone, Debug)]
+pub struct GraphigsDisplay<G> {
+    api: G,
+}
+
+impl<G: Graphigs> GraphigsDisplay<G> {
+    /// Opens graPHIGS and the workstation of type `wstype` at connection `connid`, in the RGB model.
+    ///
+    /// # Errors
+    /// Those of the calls.
+    pub fn open(mut api: G, connid: &str, wstype: WorkstationType) -> Result<Self, GpError> {
+        api.gpopph()?;
+        api.gpopws(WSID, connid, wstype)?;
+        api.gpcml(WSID, ColorModel::Rgb)?;
+        api.gpcrib(IBID, NCID, DEPTH, CAPABILITIES.width, CAPABILITIES.height)?;
+        Ok(Self { api })
+    }
+
+    /// Closes the workstation and graPHIGS.
+    ///
+    /// # Errors
+    /// Those of the calls.
+    pub fn close(mut self) -> Result<G, GpError> {
+        self.api.gpclws(WSID)?;
+        self.api.gpclph()?;
+        Ok(self.api)
+    }
+
+    /// What answers the calls, to look at it.
+    pub fn api(&self) -> &G {
+        &self.api
+    }
+
+    /// The same, to call it in between.
+    pub fn api_mut(&mut self) -> &mut G {
+        &mut self.api
+    }
+}
+
+/// The rectangle of one row: origin on the board and size. (x, y) is on the screen.
+fn row(x: u32, y: u32, len: usize) -> (Pair, Pair) {
+    let size = u32::try_from(len).unwrap_or(u32::MAX);
+    ((x, CAPABILITIES.height - 1 - y), (size, 1))
+}
+
+/// Application data of one row.
+fn array<D>(size: Pair, data: D) -> PixelArray<D> {
+    PixelArray { x_size: size.0, y_size: size.1, order: PixelOrder::LeftRightTopBottom, data }
+}
+
+impl<G: Graphigs> Display for GraphigsDisplay<G> {
+    type Error = DriverError<GpError>;
+
+    fn capabilities(&self) -> Capabilities {
+        CAPABILITIES
+    }
+
+    fn set_colors(&mut self, first: u8, colors: &[Rgb<u8>]) -> Result<(), Self::Error> {
+        CAPABILITIES.check_colors(first, colors)?;
+        for (index, chunk) in (u32::from(first)..).step_by(CHUNK).zip(colors.chunks(CHUNK)) {
+            let mut components = [Rgb::new(0, 0, 0); CHUNK];
+            for (to, from) in components.iter_mut().zip(chunk) {
+                *to = from.map(|level| u16::from(level) * STEP);
+            }
+            self.api.gpcr(WSID, index, components.get(..chunk.len()).unwrap_or(&[]))?;
+        }
+        Ok(())
+    }
+
+    fn put_pixels(&mut self, x: u32, y: u32, indices: &[u8]) -> Result<(), Self::Error> {
+        CAPABILITIES.check_pixels(x, y, indices.len())?;
+        CAPABILITIES.check_indices(indices)?;
+        if indices.is_empty() {
+            return Ok(()); // GPWRCT refuses an empty rectangle
+        }
+        let (origin, size) = row(x, y, indices.len());
+        Ok(self.api.gpwrct(IBID, origin, size, array(size, indices), (0, 0))?)
+    }
+
+    fn update(&mut self) -> Result<(), Self::Error> {
+        Ok(self.api.gpupws(WSID)?)
+    }
+}
+
+impl<G: Graphigs> ReadBack for GraphigsDisplay<G> {
+    fn read_colors(&mut self, first: u8, colors: &mut [Rgb<u8>]) -> Result<(), Self::Error> {
+        CAPABILITIES.check_entries(first, colors.len())?;
+        for (index, color) in (u32::from(first)..).zip(colors) {
+            let mut components = [Rgb::new(0, 0, 0)];
+            self.api.gpqcr(WSID, index, &mut components)?;
+            // At most ONE / STEP = 15.
+            *color = components[0].map(|component| (component / STEP).to_le_bytes()[0]);
+        }
+        Ok(())
+    }
+
+    fn read_pixels(&mut self, x: u32, y: u32, indices: &mut [u8]) -> Result<(), Self::Error> {
+        CAPABILITIES.check_pixels(x, y, indices.len())?;
+        if indices.is_empty() {
+            return Ok(());
+        }
+        let (origin, size) = row(x, y, indices.len());
+        Ok(self.api.gprrct(IBID, origin, size, array(size, indices), (0, 0))?)
+    }
+}

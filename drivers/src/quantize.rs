@@ -1,0 +1,191 @@
+//! Quantisation: from the levels of three guns to an index of the colour table.
+//!
+//! Two tables. [`Uniform`] is a fixed cube: the same for every picture, known before it is drawn.
+//! [`Adaptive`] is the thesis's: built while the picture is drawn.
+//!
+//! Index 0 is black in both. It is the background of a graPHIGS workstation, the border of a VGA screen
+//! (overscan, attribute register 11h = 0) and what cleared memory shows on all three devices; a table
+//! that put the picture's first colour there would tint all that is not drawn yet.
+//!
+//! Distance is squared Euclidean in gun levels (at most 3 * 255^2); of equally near entries the lowest
+//! index wins, so the same picture always gives the same indices.
+
+mod adaptive;
+
+use core::fmt;
+
+use rta_core::color::Rgb;
+
+pub use adaptive::Adaptive;
+
+/// Most entries a table can have: an index is one byte.
+pub const MAX_COLORS: u16 = 256;
+
+/// Black: entry 0 of every table here.
+pub const BACKGROUND: Rgb<u8> = Rgb::new(0, 0, 0);
+
+/// A colour table that is asked for the index of a colour.
+pub trait ColorTable {
+    /// The index of the entry that stands for `levels`. May append entries, never changes or removes
+    /// one.
+    fn index(&mut self, levels: Rgb<u8>) -> u8;
+
+    /// The entries so far, at least one. Those beyond the length seen before are new: a driver loads
+    /// them while the picture is being drawn (see [`crate::painter::Painter`]).
+    fn entries(&self) -> &[Rgb<u8>];
+}
+
+impl<T: ColorTable + ?Sized> ColorTable for &mut T {
+    fn index(&mut self, levels: Rgb<u8>) -> u8 {
+        T::index(self, levels)
+    }
+    fn entries(&self) -> &[Rgb<u8>] {
+        T::entries(self)
+    }
+}
+
+/// A colour table cannot be made.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum TableError {
+    /// The number of colours is outside the table's range.
+    Colors {
+        /// The number asked for.
+        colors: u16,
+        /// The fewest the table can have; the most is [`MAX_COLORS`].
+        min: u16,
+    },
+    /// A gun with level 0 only.
+    Guns,
+}
+
+impl fmt::Display for TableError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Colors { colors, min } => {
+                write!(f, "a table of {colors} colours: from {min} to {MAX_COLORS} are possible")
+            }
+            Self::Guns => write!(f, "the guns have no level above 0"),
+        }
+    }
+}
+
+impl core::error::Error for TableError {}
+
+/// Squared distance of two colours, in squared gun levels: 0..=195075.
+pub fn distance(a: Rgb<u8>, b: Rgb<u8>) -> u32 {
+    let square = |a: u8, b: u8| {
+        let d = u32::from(a.abs_diff(b));
+        d * d
+    };
+    square(a.r, b.r) + square(a.g, b.g) + square(a.b, b.b)
+}
+
+/// The entry nearest to `levels` and its squared distance. Ties go to the lowest index; no entries at
+/// all give index 0 at the greatest distance. Only the first 256 entries are looked at.
+pub fn nearest(entries: &[Rgb<u8>], levels: Rgb<u8>) -> (u8, u32) {
+    let mut best = (0, u32::MAX);
+    for (index, &entry) in (0..=u8::MAX).zip(entries) {
+        let d = distance(entry, levels);
+        if d < best.1 {
+            best = (index, d);
+        }
+    }
+    best
+}
+
+/// A fixed cube of evenly spaced levels: 6 x 7 x 6 = 252 entries of 256 colours, 5 x 5 x 5 = 125 of 128.
+///
+/// The sides differ by one at most and green, to which the eye is most sensitive, has the first of the
+/// spare ones. The answer is the nearest entry of the cube, exactly. Takes 771 bytes.
+#[derive(Clone, Debug)]
+pub struct Uniform {
+    entries: [Rgb<u8>; MAX_COLORS as usize],
+    sides: Rgb<u8>,
+}
+
+impl Uniform {
+    /// The largest cube within `colors` entries for guns of `gun_max` + 1 levels.
+    ///
+    /// # Errors
+    /// [`TableError::Colors`] unless `colors` is 8..=256; [`TableError::Guns`] if `gun_max` is 0.
+    pub fn new(colors: u16, gun_max: u8) -> Result<Self, TableError> {
+        if !(8..=MAX_COLORS).contains(&colors) {
+            return Err(TableError::Colors { colors, min: 8 });
+        }
+        if gun_max == 0 {
+            return Err(TableError::Guns);
+        }
+        // Raise one side after another, round after round, while the cube fits: at most 7 x 6 x 6.
+        let mut sides = Rgb::new(2_u8, 2, 2);
+        let most = gun_max.saturating_add(1);
+        let size = |s: Rgb<u8>| u16::from(s.r) * u16::from(s.g) * u16::from(s.b);
+        'grow: loop {
+            for raise in [
+                |s: Rgb<u8>| Rgb { g: s.g + 1, ..s },
+                |s: Rgb<u8>| Rgb { r: s.r + 1, ..s },
+                |s: Rgb<u8>| Rgb { b: s.b + 1, ..s },
+            ] {
+                let larger = raise(sides);
+                if size(larger) > colors || larger.r.max(larger.g).max(larger.b) > most {
+                    break 'grow;
+                }
+                sides = larger;
+            }
+        }
+        let mut entries = [BACKGROUND; MAX_COLORS as usize];
+        let cube = (0..sides.r)
+            .flat_map(|r| (0..sides.g).flat_map(move |g| (0..sides.b).map(move |b| Rgb::new(r, g, b))));
+        for (entry, step) in entries.iter_mut().zip(cube) {
+            *entry = Rgb::new(
+                level(step.r, sides.r, gun_max),
+                level(step.g, sides.g, gun_max),
+                level(step.b, sides.b, gun_max),
+            );
+        }
+        Ok(Self { entries, sides })
+    }
+
+    /// Levels of each gun that the cube has.
+    pub fn sides(&self) -> Rgb<u8> {
+        self.sides
+    }
+}
+
+/// Level `step` of `side` evenly spaced ones (`side` > 1), rounded to the nearest.
+fn level(step: u8, side: u8, gun_max: u8) -> u8 {
+    let (step, last, max) = (u32::from(step), u32::from(side) - 1, u32::from(gun_max));
+    // step <= last, so the quotient is at most gun_max.
+    ((2 * step * max + last) / (2 * last)).to_le_bytes()[0]
+}
+
+/// The step whose level is nearest to `wanted`; the lower of two equally near.
+fn step(levels: impl Iterator<Item = u8>, wanted: u8) -> u16 {
+    let mut best = (0, u8::MAX);
+    for (step, level) in (0_u16..).zip(levels) {
+        let d = level.abs_diff(wanted);
+        if step == 0 || d < best.1 {
+            best = (step, d);
+        }
+    }
+    best.0
+}
+
+impl ColorTable for Uniform {
+    fn index(&mut self, levels: Rgb<u8>) -> u8 {
+        // The guns are independent, so the nearest entry is the nearest level of each.
+        let (green, blue) = (u16::from(self.sides.g), u16::from(self.sides.b));
+        let every =
+            |stride: u16, side: u8| self.entries.iter().step_by(usize::from(stride)).take(usize::from(side));
+        let r = step(every(green * blue, self.sides.r).map(|e| e.r), levels.r);
+        let g = step(every(blue, self.sides.g).map(|e| e.g), levels.g);
+        let b = step(every(1, self.sides.b).map(|e| e.b), levels.b);
+        // At most 251: the index of the cube's last entry.
+        ((r * green + g) * blue + b).to_le_bytes()[0]
+    }
+
+    fn entries(&self) -> &[Rgb<u8>] {
+        let len = usize::from(self.sides.r) * usize::from(self.sides.g) * usize::from(self.sides.b);
+        self.entries.get(..len).unwrap_or(&self.entries)
+    }
+}
