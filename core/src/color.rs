@@ -1,4 +1,6 @@
-//! Colour: three registers, each on its own.
+//! Colour: three registers, each on its own; and linear light as the levels of a display.
+
+use crate::scalar::Light;
 
 /// Red, green and blue.
 ///
@@ -23,5 +25,27 @@ impl<T> Rgb<T> {
     /// Applies `f` to each register.
     pub fn map<U>(self, mut f: impl FnMut(T) -> U) -> Rgb<U> {
         Rgb { r: f(self.r), g: f(self.g), b: f(self.b) }
+    }
+}
+
+impl<T> Rgb<T> {
+    /// Applies `f` to each pair of registers.
+    pub fn zip<U, V>(self, other: Rgb<U>, mut f: impl FnMut(T, U) -> V) -> Rgb<V> {
+        Rgb { r: f(self.r, other.r), g: f(self.g, other.g), b: f(self.b, other.b) }
+    }
+}
+
+impl<L: Light> Rgb<L> {
+    /// Darkness.
+    pub const BLACK: Self = Self::new(L::ZERO, L::ZERO, L::ZERO);
+
+    /// The sum of two lights.
+    pub fn plus(self, other: Self) -> Self {
+        self.zip(other, L::plus)
+    }
+
+    /// The nearest levels `0..=max` of a display's guns, whose level `max` is radiance 1; what is brighter is that too.
+    pub fn levels(self, max: u8) -> Rgb<u8> {
+        self.map(|light| light.level(max))
     }
 }

@@ -1,4 +1,75 @@
-//! placeholder
+//! A Whitted ray tracer for machines without a heap, an operating system or an FPU.
+//!
+//! The crate is `no_std`, allocates nothing and contains no unsafe code. Everything is generic over a [`Scalar`]:
+//! the number type of a length. `f32` and (with the feature `f64`) `f64` are scalars; so is [`Q16`], fixed point
+//! that draws the same bytes on every processor.
+//!
+//! # The way of one pixel
+//!
+//! | step | where |
+//! | --- | --- |
+//! | [`raster::Pixels`] picks the pixel | `raster.rs` |
+//! | [`camera::Camera`] makes the primary ray | `camera.rs` |
+//! | [`trace::Tracer`] pops a pending ray, asks the scene, asks the model, pushes what the model wants traced | `trace.rs` |
+//! | [`scene::Scene`] finds the nearest hit | `scene.rs`, `shape/*.rs` |
+//! | the [`illumination::Illumination`] model says what the point sends back | `illumination/*.rs` |
+//! | [`light::Incident`] is what of a lamp arrives there | `light.rs` |
+//! | [`color`] rounds the light to the levels of a display | `color.rs` |
+//!
+//! # Ten lines of firmware
+//!
+//! ```
+//! use rta_core::{prelude::*, Q16};
+//!
+//! let length = |n: i32| Q16::from_num(n);
+//! let red = Rgb::new(Unit::ratio(9, 10), Unit::ratio(1, 5), Unit::ratio(1, 10));
+//! let ball = Sphere::new(Xyz::new(length(0), length(5), length(1)), length(1), red, Material::Mirror);
+//! let lamp = Lamp::white(Xyz::new(length(-4), length(0), length(6)), length(1), 60);
+//! let scene = Scene { spheres: &[ball], lamps: &[lamp], ..Scene::day() };
+//! let eye = Camera::new(Xyz::new(length(0), length(0), length(2)), UnitVec3::<Q16>::Y, Lens::new(1, 1, (4, 3)));
+//! let tracer: Tracer<_, _, Everything, 8> = Tracer::new(scene.admit(&eye)?, Rta, 5)?;
+//! for row in 0..4 {
+//!     for light in Pixels::row(&tracer, &eye, Raster::new(320, 200)?, row) {
+//!         let levels: Rgb<u8> = light.levels(63); // 0..=63, what a VGA's DAC takes
+//!         assert!(levels.r <= 63);
+//!     }
+//! }
+//! # Ok::<(), rta_core::Error>(())
+//! ```
 #![no_std]
 #![forbid(unsafe_code)]
+
+pub mod camera;
 pub mod color;
+mod error;
+pub mod illumination;
+pub mod light;
+pub mod material;
+pub mod needs;
+pub mod range;
+pub mod raster;
+pub mod ray;
+pub mod scalar;
+pub mod scene;
+pub mod shape;
+pub mod trace;
+pub mod vector;
+
+pub use error::Error;
+pub use scalar::{Q16, Scalar};
+
+/// What a program that draws a picture needs, in one `use`.
+pub mod prelude {
+    pub use crate::camera::{Camera, Lens};
+    pub use crate::color::Rgb;
+    pub use crate::illumination::{Illumination, Rta, Whitted};
+    pub use crate::light::Lamp;
+    pub use crate::material::Material;
+    pub use crate::needs::{Everything, Needs};
+    pub use crate::raster::{Pixels, Raster};
+    pub use crate::scalar::{Light, Scalar, Unit};
+    pub use crate::scene::{Floor, Scene, Sky};
+    pub use crate::shape::{Cylinder, Ellipsoid, Sphere};
+    pub use crate::trace::Tracer;
+    pub use crate::vector::{LengthVector, UnitVec3, UnitVector, Vec3, Vector, Xyz};
+}

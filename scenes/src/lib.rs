@@ -20,5 +20,6 @@
 pub mod dat;
 pub mod description;
 pub mod error;
+pub mod narrow;
 pub mod shipped;
 mod tokens;

@@ -1,0 +1,109 @@
+//! Illumination models: what a point of a surface sends back along a ray.
+//!
+//! A model is asked by the tracer, never the other way: it sees a [`Surface`] and one [`Incident`] lamp at a time, and
+//! says which secondary rays it wants with which [`Weight`]. Changing the model of a picture changes one type parameter.
+
+mod rta;
+mod whitted;
+
+pub use rta::Rta;
+pub use whitted::Whitted;
+
+use crate::color::Rgb;
+use crate::light::Incident;
+use crate::material::Material;
+use crate::needs::Needs;
+use crate::scalar::{Light, Scalar, Unit};
+use crate::vector::{UnitVec3, Vec3};
+
+/// The point that a model is asked about.
+#[derive(Clone, Copy, Debug)]
+pub struct Surface<'a, S: Scalar> {
+    /// The place.
+    pub point: Vec3<S>,
+    /// Unit normal, turned towards the ray's origin. The other side's is its negative.
+    pub normal: UnitVec3<S>,
+    /// Unit direction of the ray that came here: the view direction is its negative.
+    pub incoming: UnitVec3<S>,
+    /// How far the ray came; where it came from [`Surface::inside`], that is its way through the material.
+    pub distance: S,
+    /// Whether the ray hit the surface from the inside.
+    pub inside: bool,
+    /// Reflectance.
+    pub color: Rgb<S::Unit>,
+    /// What the surface does with light.
+    pub material: &'a Material<S>,
+}
+
+/// The rays that a point wants traced, and what part of their light it sends back.
+#[derive(Clone, Copy, Debug)]
+pub struct Secondary<W> {
+    /// Weight of the reflected ray.
+    pub reflected: Option<W>,
+    /// Weight of the transmitted ray, which is a reflected one where there is total internal reflection.
+    pub transmitted: Option<W>,
+}
+
+impl<W> Secondary<W> {
+    /// No secondary rays.
+    pub const NONE: Self = Self { reflected: None, transmitted: None };
+}
+
+/// A model of illumination for scenes in the scalar `S`.
+pub trait Illumination<S: Scalar>: Send + Sync {
+    /// The weight of a ray: [`Scalar::Unit`] where a surface treats the registers alike, [`Rgb`] of it where not.
+    type Weight: Weight<S>;
+
+    /// Whether lamps behind the surface count too (translucent things).
+    const BOTH_SIDES: bool = false;
+
+    /// What the point sends back of the scene's ambient light.
+    fn ambient<N: Needs>(&self, surface: &Surface<S>, ambient: Rgb<S::Light>) -> Rgb<S::Light>;
+
+    /// Whether lamps matter for this surface at all.
+    fn is_lit(&self, surface: &Surface<S>) -> bool;
+
+    /// What the point sends back of one lamp that nothing hides. Where that is not dark, the tracer looks for what does.
+    fn direct<N: Needs>(&self, surface: &Surface<S>, incident: &Incident<S>) -> Rgb<S::Light>;
+
+    /// The secondary rays that the point wants.
+    fn secondary(&self, surface: &Surface<S>) -> Secondary<Self::Weight>;
+}
+
+/// What part of a ray's light arrives in the pixel.
+pub trait Weight<S: Scalar>: Copy + core::fmt::Debug + Send + Sync {
+    /// All of it.
+    const WHOLE: Self;
+    /// The part of a part.
+    fn compose(self, other: Self) -> Self;
+    /// The sum of two parts.
+    fn join(self, other: Self) -> Self;
+    /// The part of a light.
+    fn filter(self, light: Rgb<S::Light>) -> Rgb<S::Light>;
+}
+
+impl<S: Scalar<Unit = U>, U: Unit> Weight<S> for U {
+    const WHOLE: Self = U::ONE;
+    fn compose(self, other: Self) -> Self {
+        Unit::times(self, other)
+    }
+    fn join(self, other: Self) -> Self {
+        self + other
+    }
+    fn filter(self, light: Rgb<S::Light>) -> Rgb<S::Light> {
+        light.map(|l| l.times(self))
+    }
+}
+
+impl<S: Scalar<Unit = U>, U: Unit> Weight<S> for Rgb<U> {
+    const WHOLE: Self = Rgb::new(U::ONE, U::ONE, U::ONE);
+    fn compose(self, other: Self) -> Self {
+        self.zip(other, Unit::times)
+    }
+    fn join(self, other: Self) -> Self {
+        self.zip(other, |a, b| a + b)
+    }
+    fn filter(self, light: Rgb<S::Light>) -> Rgb<S::Light> {
+        light.zip(self, Light::times)
+    }
+}

@@ -1,0 +1,63 @@
+//! The thesis's modified Whitted model (rta-model section 4).
+
+use super::{Illumination, Secondary, Surface};
+use crate::color::Rgb;
+use crate::light::Incident;
+use crate::material::Material;
+use crate::needs::Needs;
+use crate::scalar::{Light, Scalar, Unit};
+use crate::vector::{UnitVector, Vector};
+
+/// `I = kd { [(N.CENIT + k1) k2] Ia C + sum S [(1 - B) (L.N) / d^2 C + B] I } + ks I_ref C + kt I_tra`
+///
+/// Lamps are attenuated with the square of the distance. A highlight `B` is a lamp's image, cut out at 13 degrees: a
+/// shiny surface that reflects the ray to within that angle of the lamp shows the lamp's full intensity. Mirrors colour
+/// what they reflect, glass does so for the reflected part alone.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Rta;
+
+/// k1 k2 = 1.5 x 0.4 of the ambient term (Graham 1987).
+const AMBIENT_BASE: (i64, i64) = (6, 10);
+/// k2 = 0.4 of the ambient term (Graham 1987).
+const AMBIENT_SLOPE: (i64, i64) = (4, 10);
+/// cos 13 degrees, the edge of a highlight.
+const GLINT_COSINE: (i64, i64) = (974_370_064_785_235_229, 1_000_000_000_000_000_000);
+
+impl<S: Scalar> Illumination<S> for Rta {
+    /// Mirrors colour their light, so the weight has three registers.
+    type Weight = Rgb<S::Unit>;
+
+    fn ambient<N: Needs>(&self, surface: &Surface<S>, ambient: Rgb<S::Light>) -> Rgb<S::Light> {
+        let (base, slope) = (S::Unit::ratio(AMBIENT_BASE.0, AMBIENT_BASE.1), S::Unit::ratio(AMBIENT_SLOPE.0, AMBIENT_SLOPE.1));
+        let factor = surface.normal.z().times(slope) + base;
+        ambient.zip(surface.color, |light, color| light.times(color.times(factor)))
+    }
+
+    fn is_lit(&self, surface: &Surface<S>) -> bool {
+        matches!(surface.material, Material::Opaque | Material::Shiny)
+    }
+
+    fn direct<N: Needs>(&self, surface: &Surface<S>, incident: &Incident<S>) -> Rgb<S::Light> {
+        let tint = incident.lamp.tint;
+        if N::GLINT && *surface.material == Material::Shiny {
+            let reflected = surface.incoming.reflect(surface.normal);
+            if incident.direction.dot(reflected) > S::Unit::ratio(GLINT_COSINE.0, GLINT_COSINE.1) {
+                let light = incident.intensity();
+                return tint.map(|part| light.times(part));
+            }
+        }
+        let light = incident.irradiance().times(incident.cosine);
+        surface.color.zip(tint, |color, part| light.times(color.times(part)))
+    }
+
+    fn secondary(&self, surface: &Surface<S>) -> Secondary<Rgb<S::Unit>> {
+        match surface.material {
+            Material::Opaque | Material::Shiny => Secondary::NONE,
+            Material::Mirror => Secondary { reflected: Some(surface.color), transmitted: None },
+            Material::Transparent(glass) => Secondary {
+                reflected: Some(surface.color.map(|c| c.times(glass.ks))),
+                transmitted: Some(Rgb::new(glass.kt, glass.kt, glass.kt)),
+            },
+        }
+    }
+}

@@ -1,0 +1,112 @@
+//! The raster, and its pixels as an iterator: a window takes a slice of it for each frame, firmware polls it between
+//! interrupts, a test collects it.
+
+use core::iter::FusedIterator;
+
+use crate::camera::Camera;
+use crate::color::Rgb;
+use crate::error::Error;
+use crate::illumination::Illumination;
+use crate::needs::Needs;
+use crate::scalar::{Scalar, Unit};
+use crate::trace::Tracer;
+
+/// Width and height in pixels, each 1 to 65535.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Raster {
+    width: u32,
+    height: u32,
+}
+
+impl Raster {
+    /// The most pixels in a row or in a column.
+    pub const MAX_SIDE: u32 = 65535;
+
+    /// A raster.
+    ///
+    /// # Errors
+    /// [`Error::Raster`] where a side is 0 or exceeds [`Raster::MAX_SIDE`].
+    pub const fn new(width: u32, height: u32) -> Result<Self, Error> {
+        if width == 0 || height == 0 || width > Self::MAX_SIDE || height > Self::MAX_SIDE {
+            return Err(Error::Raster { width, height });
+        }
+        Ok(Self { width, height })
+    }
+
+    /// Pixels in a row.
+    pub const fn width(self) -> u32 {
+        self.width
+    }
+
+    /// Rows.
+    pub const fn height(self) -> u32 {
+        self.height
+    }
+
+    /// Where the centre of pixel `i` of `n` lies, from -1/2 to 1/2: the whole extent scaled by `(2i + 1) / 2n`. A step
+    /// that was rounded and then added up would drift across the picture.
+    fn center<U: Unit>(i: u32, n: u32) -> U {
+        let (i, n) = (i64::from(i), i64::from(n));
+        U::ratio(2 * i + 1 - n, 2 * n)
+    }
+}
+
+/// The light of the pixels of some rows, from left to right and from top to bottom.
+pub struct Pixels<'a, S: Scalar, M, N, const STACK: usize> {
+    tracer: &'a Tracer<'a, S, M, N, STACK>,
+    camera: &'a Camera<S>,
+    raster: Raster,
+    x: u32,
+    y: u32,
+    end: u32,
+}
+
+impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize> Pixels<'a, S, M, N, STACK> {
+    /// All pixels of a raster.
+    pub fn new(tracer: &'a Tracer<'a, S, M, N, STACK>, camera: &'a Camera<S>, raster: Raster) -> Self {
+        Self::rows(tracer, camera, raster, 0, raster.height)
+    }
+
+    /// The pixels of one row, 0 at the top.
+    pub fn row(tracer: &'a Tracer<'a, S, M, N, STACK>, camera: &'a Camera<S>, raster: Raster, y: u32) -> Self {
+        Self::rows(tracer, camera, raster, y, y.saturating_add(1))
+    }
+
+    /// The pixels of the rows from `first` to before `end`, as far as the raster has them.
+    pub fn rows(
+        tracer: &'a Tracer<'a, S, M, N, STACK>,
+        camera: &'a Camera<S>,
+        raster: Raster,
+        first: u32,
+        end: u32,
+    ) -> Self {
+        Self { tracer, camera, raster, x: 0, y: first, end: end.min(raster.height) }
+    }
+}
+
+impl<S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize> Iterator for Pixels<'_, S, M, N, STACK> {
+    type Item = Rgb<S::Light>;
+
+    fn next(&mut self) -> Option<Self::Item> {
+        if self.y >= self.end {
+            return None;
+        }
+        let x = Raster::center(self.x, self.raster.width);
+        let y: S::Unit = Raster::center(self.y, self.raster.height);
+        let light = self.tracer.primary(self.camera, self.camera.direction(x, -y));
+        self.x += 1;
+        if self.x == self.raster.width {
+            self.x = 0;
+            self.y += 1;
+        }
+        Some(light)
+    }
+
+    fn size_hint(&self) -> (usize, Option<usize>) {
+        let rows = u64::from(self.end.saturating_sub(self.y));
+        let left = rows * u64::from(self.raster.width) - u64::from(self.x);
+        usize::try_from(left).map_or((usize::MAX, None), |left| (left, Some(left)))
+    }
+}
+
+impl<S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize> FusedIterator for Pixels<'_, S, M, N, STACK> {}

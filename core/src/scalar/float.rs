@@ -1,0 +1,204 @@
+//! `f32` and `f64` as scalars: glam's vectors, libm's square root. Nothing is fused and nothing is reordered, so the
+//! results are the same on every processor with IEEE 754 arithmetic.
+#![allow(clippy::float_arithmetic)] // the one file of the core with floats in it
+
+use super::{Light, Scalar, Unit};
+use crate::vector::{LengthVector, Plan, UnitVector, Vector};
+
+macro_rules! float {
+    ($f:ty, $vec:ty, $sqrt:path, $floor:path, $far:expr) => {
+        impl Unit for $f {
+            type Inverse = $f;
+            const ZERO: Self = 0.0;
+            const ONE: Self = 1.0;
+            fn ratio(numerator: i64, denominator: i64) -> Self {
+                numerator as $f / denominator as $f
+            }
+            fn times(self, factor: Self) -> Self {
+                self * factor
+            }
+            fn over(self, divisor: $f) -> Self {
+                self * divisor
+            }
+            fn radical(a: Self, b: Self, minus: Self) -> Option<Self> {
+                // (a - m)(a + m) keeps the digits that a^2 - m^2 would cancel.
+                let square = (a - minus) * (a + minus) + b * b;
+                if square < 0.0 { None } else { Some($sqrt(square)) }
+            }
+        }
+
+        impl Light for $f {
+            type Unit = $f;
+            const ZERO: Self = 0.0;
+            const WHITE: Self = 1.0;
+            fn plus(self, other: Self) -> Self {
+                self + other
+            }
+            fn times(self, factor: Self) -> Self {
+                self * factor
+            }
+            #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a float's cast saturates
+            fn level(self, max: u8) -> u8 {
+                if self >= 1.0 { max } else { (self * max as $f + 0.5) as u8 }
+            }
+        }
+
+        impl Scalar for $f {
+            type Unit = $f;
+            type Wide = $f;
+            type Light = $f;
+            type Power = $f;
+            type Inverse = $f;
+            type Vector = $vec;
+            type UnitVector = $vec;
+
+            const ZERO: Self = 0.0;
+            const WORLD: Self = $far / 64.0;
+            const FAR: Self = $far;
+            const REACH: Self = $far / 8.0;
+
+            fn scale(self, factor: Self) -> Self {
+                self * factor
+            }
+            fn square(self) -> Self {
+                self * self
+            }
+            fn sqrt(square: Self) -> Self {
+                if square > 0.0 { $sqrt(square) } else { 0.0 }
+            }
+            fn inverse(self) -> Self {
+                1.0 / self
+            }
+            fn fraction(self, whole: Self) -> Self {
+                self * whole
+            }
+            fn stretch(self, slope: Self) -> Self {
+                (self * slope).clamp(-$far, $far)
+            }
+            fn over(self, slope: Self) -> Self {
+                (self / slope).min($far)
+            }
+            fn odd_tile(self) -> bool {
+                let half = $floor(self / 3.0) * 0.5;
+                half != $floor(half)
+            }
+            fn odd_far_tile(self, slope: Self, height: Self, fall: Self) -> bool {
+                (self + slope * (height / fall)).odd_tile()
+            }
+            fn power(mantissa: u32, exponent: i16) -> Self {
+                let step: $f = if exponent < 0 { 0.5 } else { 2.0 };
+                (0..exponent.unsigned_abs()).fold(mantissa as $f, |power, _| power * step)
+            }
+            fn intensity(power: Self) -> Self {
+                power
+            }
+            fn fall_off(power: Self, distance: Self) -> Self {
+                power * distance * distance
+            }
+        }
+
+        impl Vector for $vec {
+            type Component = $f;
+            fn new(x: $f, y: $f, z: $f) -> Self {
+                Self::new(x, y, z)
+            }
+            fn x(self) -> $f {
+                self.x
+            }
+            fn y(self) -> $f {
+                self.y
+            }
+            fn z(self) -> $f {
+                self.z
+            }
+        }
+
+        impl LengthVector for $vec {
+            type Scalar = $f;
+            fn dot(self, direction: Self) -> $f {
+                self.dot(direction)
+            }
+            fn norm_squared(self) -> $f {
+                self.length_squared()
+            }
+            fn along(self, direction: Self, distance: $f) -> Self {
+                self + direction * distance
+            }
+            fn reject(self, direction: Self, distance: $f) -> Self {
+                self - direction * distance
+            }
+            fn local(self, direction: Self, distance: $f, radius: $f) -> Self {
+                (direction * distance - self) * radius
+            }
+            fn normalize(self) -> Option<(Self, $f, $f)> {
+                let length = $sqrt(self.length_squared());
+                let inverse = 1.0 / length;
+                if inverse < <$f>::INFINITY { Some((self * inverse, length, inverse)) } else { None }
+            }
+            /// The place `p = c + r n` carries at most the rounding of its sum, `u |p|`, that of `r n`, `u r`, and `r`
+            /// times the error of the normal, about `4 u`, in each component, with `u = EPSILON / 2`. The offset is
+            /// `8 EPSILON (|p| + r)`, three times their sum: the rest answers for the rounding of the foot point when
+            /// the ray that leaves is tested against the surface it left.
+            fn leave(self, normal: Self, extent: $f) -> Self {
+                self + normal * (8.0 * <$f>::EPSILON * (self.abs().max_element() + extent))
+            }
+            fn dot_plan(self, plan: Plan<$f>) -> $f {
+                self.x * plan.x + self.y * plan.y
+            }
+            fn cross_plan(self, plan: Plan<$f>) -> $f {
+                self.x * plan.y - self.y * plan.x
+            }
+            fn cross_plan_over(self, plan: Plan<$f>, radius: $f) -> $f {
+                (self.cross_plan(plan) * radius).clamp(-1.0, 1.0)
+            }
+        }
+
+        impl UnitVector for $vec {
+            const X: Self = Self::X;
+            const Y: Self = Self::Y;
+            const Z: Self = Self::Z;
+            fn dot(self, other: Self) -> $f {
+                self.dot(other)
+            }
+            fn cross(self, other: Self) -> Self {
+                self.cross(other)
+            }
+            fn scale(self, factor: $f) -> Self {
+                self * factor
+            }
+            fn times(self, other: Self) -> Self {
+                self * other
+            }
+            fn plus(self, other: Self, factor: $f) -> Self {
+                self + other * factor
+            }
+            fn normalize(self) -> Option<(Self, $f)> {
+                let inverse = 1.0 / $sqrt(self.length_squared());
+                if inverse < <$f>::INFINITY { Some((self * inverse, inverse)) } else { None }
+            }
+            fn reflect(self, normal: Self) -> Self {
+                self - normal * (2.0 * self.dot(normal))
+            }
+            fn halfway(self, other: Self) -> Option<Self> {
+                UnitVector::normalize(self + other).map(|(halfway, _)| halfway)
+            }
+            fn half_chord(self, radius: $f) -> Option<$f> {
+                let square = radius * radius - self.length_squared();
+                if square < 0.0 { None } else { Some($sqrt(square)) }
+            }
+            fn plan<S: Scalar<Unit = $f>>(self) -> Option<Plan<S>> {
+                let stretch = 1.0 / $sqrt(self.x * self.x + self.y * self.y);
+                if stretch < <$f>::INFINITY {
+                    Some(Plan { x: self.x * stretch, y: self.y * stretch, stretch })
+                } else {
+                    None
+                }
+            }
+        }
+    };
+}
+
+// The square of FAR, summed over three components, is still finite.
+float!(f32, glam::Vec3, libm::sqrtf, libm::floorf, 1e18);
+#[cfg(feature = "f64")]
+float!(f64, glam::DVec3, libm::sqrt, libm::floor, 1e150);

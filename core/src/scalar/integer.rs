@@ -1,0 +1,183 @@
+//! Integer arithmetic under the fixed-point formats: reciprocal square root, square root, reciprocal, on words of 32
+//! and 64 bits, with 32 x 32 -> 64 multiplications and no division.
+
+/// A positive number `m / 2^(30 + e)`, `m` in [2^30, 2^31], as a reciprocal of an integer between 1 and 2^32.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Reciprocal {
+    mantissa: u32,
+    exponent: u8,
+}
+
+/// First guess of [`rsqrt`]: `2^14 / sqrt(i / 64)` for `i` in `16..=64`.
+const GUESS: [u16; 49] = {
+    let mut table = [0; 49];
+    let mut i = 0;
+    while i < table.len() {
+        #[allow(clippy::cast_possible_truncation, clippy::indexing_slicing)] // at most 2^15; i < len
+        {
+            table[i] = ((64u64 << 28) / (i as u64 + 16)).isqrt() as u16;
+        }
+        i += 1;
+    }
+    table
+};
+
+/// `2^30 / sqrt(m / 2^32)`, for `m >= 2^30`: the reciprocal square root of a number in [1/4, 1[, within 2 units of
+/// the last place (2^-30).
+///
+/// A table with linear interpolation gives 11 bits, two steps of Newton's iteration the rest.
+#[allow(clippy::cast_possible_truncation)] // sizes are at the line
+pub fn rsqrt(m: u32) -> u32 {
+    let i = (m >> 26) as usize - 16 * usize::from(m >= 1 << 30);
+    let at = |i: usize| u32::from(GUESS.get(i).copied().unwrap_or(1 << 14));
+    let (here, next) = (at(i), at(i + 1));
+    let part = (m >> 10) & 0xffff;
+    let guess = (here << 16) - (here - next) * part; // 2^30 is 1
+    let first = {
+        let square = (u64::from(guess) * u64::from(guess)) >> 30; // at most 2^32
+        let error = (3u64 << 30).saturating_sub((u64::from(m) * square) >> 32); // about 2^31
+        ((u64::from(guess) * error) >> 31) as u32
+    };
+    let square = (u64::from(first) * u64::from(first) + (1 << 29)) >> 30;
+    let error = (1i64 << 62) - (u64::from(m) * square) as i64; // 2^62 (1 - m y^2), below 2^42
+    let correction = (i64::from(first) * (error >> 31)) >> 32;
+    (i64::from(first) + correction) as u32
+}
+
+/// `value << shift` with an even shift such that the top two bits are not both 0, its upper word, and the shift.
+fn normalize(value: u64) -> (u64, u32) {
+    let shift = value.leading_zeros() & !1;
+    (value << (shift & 63), shift)
+}
+
+/// The square root, rounded to the nearest (an exact half cannot be).
+#[allow(clippy::cast_possible_truncation)] // sizes are at the line
+pub fn sqrt(value: u64) -> u32 {
+    if value == 0 {
+        return 0;
+    }
+    let (wide, shift) = normalize(value);
+    let m = (wide >> 32) as u32;
+    let y = rsqrt(m);
+    // m y is the root of the upper word; one step of Newton's iteration brings in the lower.
+    let root = ((u64::from(m) * u64::from(y)) >> 30).min(u64::from(u32::MAX)); // 2^32 is 1
+    let rest = wide.wrapping_sub(root * root) as i64;
+    let root = (root as i64 + (((rest >> 31) * i64::from(y)) >> 32)) as u64;
+    let half = shift / 2;
+    let mut root = (root + ((1 << half) >> 1)) >> half;
+    // The nearest root holds root^2 - root < value <= root^2 + root.
+    if root * root - root >= value {
+        root -= 1;
+    } else if root * root + root < value {
+        root += 1;
+    }
+    root.min(u64::from(u32::MAX)) as u32
+}
+
+impl Reciprocal {
+    /// `1 / value`; of 0 as of 1.
+    #[allow(clippy::cast_possible_truncation)] // sizes are at the line
+    pub fn of(value: u32) -> Self {
+        let value = value.max(1);
+        let exponent = 32 - value.leading_zeros();
+        let m = value << (32 - exponent); // [1/2, 1[
+        let y = u64::from(rsqrt(m));
+        let guess = (y * y) >> 30; // within 8 units, at most 2^31 + 8
+        let error = (1i64 << 62) - (u64::from(m) * guess) as i64; // 2^62 (1 - m z), below 2^36
+        let mantissa = guess as i64 + (((error >> 16) * guess as i64) >> 46);
+        Self { mantissa: mantissa.min(1 << 31) as u32, exponent: exponent as u8 }
+    }
+
+    /// `1 / sqrt(square)` with `sqrt(square)`, rounded; of 0 as of 1.
+    #[allow(clippy::cast_possible_truncation)] // sizes are at the line
+    pub fn of_sqrt(square: u64) -> (Self, u32) {
+        let (wide, shift) = normalize(square.max(1));
+        let m = (wide >> 32) as u32;
+        let mantissa = rsqrt(m);
+        let half = shift / 2;
+        let root = (u64::from(m) * u64::from(mantissa)) >> 30; // 2^32 is 1
+        let root = ((root + ((1 << half) >> 1)) >> half).min(u64::from(u32::MAX));
+        (Self { mantissa, exponent: (32 - half) as u8 }, root as u32)
+    }
+
+    /// `2^-shift` of what it is: the reciprocal of `value << shift` when this is that of `value`; and back.
+    #[allow(clippy::cast_possible_truncation)] // at most 32
+    pub(crate) fn unscale(self, shift: u32) -> Self {
+        Self { exponent: self.exponent.saturating_sub(shift as u8), ..self }
+    }
+
+    /// `2^30 factor / value`, rounded.
+    pub fn times(self, factor: i32) -> i64 {
+        shift_right(i64::from(factor) * i64::from(self.mantissa), u32::from(self.exponent))
+    }
+
+    /// The mantissa, in [2^30, 2^31], and the exponent `e` of `mantissa / 2^(30 + e)`.
+    pub fn parts(self) -> (u32, u8) {
+        (self.mantissa, self.exponent)
+    }
+}
+
+/// `value / 2^shift`, rounded to the nearest, halves up; `shift < 64`.
+pub fn shift_right(value: i64, shift: u32) -> i64 {
+    (value + ((1 << shift) >> 1)) >> shift
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Bit patterns that cover each word length densely at its ends and thinly in between.
+    fn words() -> impl Iterator<Item = u64> {
+        let ends = (0..64).flat_map(|k| (-3i64..4).map(move |d| (1u64 << k).wrapping_add_signed(d)));
+        let mut state = 0x9e37_79b9_7f4a_7c15u64;
+        let random = (0..200_000).map(move |i| {
+            state ^= state << 13;
+            state ^= state >> 7;
+            state ^= state << 17;
+            state >> (i % 64)
+        });
+        ends.chain(random)
+    }
+
+    #[test]
+    fn sqrt_is_the_nearest() {
+        for value in words() {
+            let root = u128::from(sqrt(value));
+            let value = u128::from(value);
+            assert!(root * root <= value + root, "sqrt({value}) = {root} is too large");
+            assert!(root * root + root >= value || root == u128::from(u32::MAX), "sqrt({value}) = {root} is too small");
+        }
+    }
+
+    #[test]
+    fn rsqrt_is_within_two_units() {
+        for m in words().map(|w| (w >> 32) as u32).filter(|&m| m >= 1 << 30) {
+            let exact = ((1u128 << 94) / u128::from(m)).isqrt(); // 2^31 / sqrt(m / 2^32)
+            let error = 2 * i64::from(rsqrt(m)) - exact as i64;
+            assert!(error.abs() <= 4, "rsqrt({m}) is {error} half units off");
+        }
+    }
+
+    #[test]
+    fn reciprocal_is_within_two_units() {
+        for value in words().map(|w| (w >> 32) as u32).filter(|&v| v > 0) {
+            let (mantissa, exponent) = Reciprocal::of(value).parts();
+            let exact = (1u128 << (31 + exponent)) / u128::from(value);
+            let error = 2 * i64::from(mantissa) - exact as i64;
+            assert!(error.abs() <= 4, "1/{value} is {error} half units off");
+            assert!((1 << 30..=1 << 31).contains(&mantissa));
+        }
+    }
+
+    #[test]
+    fn root_and_its_reciprocal_agree() {
+        for square in words().filter(|&w| w > 0) {
+            let (reciprocal, root) = Reciprocal::of_sqrt(square);
+            assert!(root.abs_diff(sqrt(square)) <= 1 + (root >> 29), "root of {square}");
+            let (mantissa, exponent) = reciprocal.parts();
+            let product = (u128::from(mantissa).pow(2) * u128::from(square)) as f64;
+            let one = product / 2f64.powi(60 + 2 * i32::from(exponent));
+            assert!((one - 1.0).abs() < 4.0 / f64::from(1 << 30), "reciprocal root of {square}: {one}");
+        }
+    }
+}

@@ -1,0 +1,226 @@
+//! A scene is borrowed data: one list for each kind of thing, in RAM or in flash.
+
+use crate::color::Rgb;
+use crate::illumination::Surface;
+use crate::light::Lamp;
+use crate::material::Material;
+use crate::needs::Needs;
+use crate::ray::Ray;
+use crate::scalar::{Light, Scalar, Unit};
+pub use crate::shape::Floor;
+use crate::shape::{Cylinder, Ellipsoid, Sphere, sphere};
+use crate::vector::{UnitVec3, UnitVector, Vector};
+
+/// A scene (rta-model section 1), but for the eye.
+#[derive(Clone, Copy, Debug)]
+pub struct Scene<'a, S: Scalar> {
+    /// Vertical cylinders.
+    pub cylinders: &'a [Cylinder<S>],
+    /// Ellipsoids.
+    pub ellipsoids: &'a [Ellipsoid<S>],
+    /// Spheres.
+    pub spheres: &'a [Sphere<S>],
+    /// Lamps.
+    pub lamps: &'a [Lamp<S>],
+    /// The floor, if there is one.
+    pub floor: Option<Floor<S>>,
+    /// What a ray sees that meets nothing.
+    pub sky: Sky<S>,
+    /// Ambient light.
+    pub ambient: Rgb<S::Light>,
+}
+
+/// The sky: one colour at the horizon, one at the zenith and at the nadir, mixed by the square of the sine of the
+/// elevation (Graham 1987).
+#[derive(Clone, Copy, Debug)]
+pub struct Sky<S: Scalar> {
+    /// Radiance at the horizon.
+    pub horizon: Rgb<S::Light>,
+    /// Radiance at the zenith.
+    pub zenith: Rgb<S::Light>,
+}
+
+impl<S: Scalar> Sky<S> {
+    /// Radiance in a direction.
+    fn radiance<N: Needs>(&self, direction: UnitVec3<S>) -> Rgb<S::Light> {
+        if !N::SKY_GRADIENT {
+            return self.horizon;
+        }
+        let high = direction.z().times(direction.z());
+        let low = S::Unit::ONE - high;
+        self.horizon.zip(self.zenith, |horizon, zenith| horizon.times(low).plus(zenith.times(high)))
+    }
+}
+
+/// What a ray meets: which, in its list.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Object {
+    /// The floor.
+    Floor,
+    /// A cylinder.
+    Cylinder(usize),
+    /// An ellipsoid.
+    Ellipsoid(usize),
+    /// A sphere.
+    Sphere(usize),
+    /// A visible lamp.
+    Lamp(usize),
+}
+
+/// The nearest hit of a ray.
+#[derive(Clone, Copy, Debug)]
+pub struct Hit<S> {
+    /// Distance as the search found it.
+    pub distance: S,
+    /// What was hit.
+    pub object: Object,
+}
+
+impl<S: Scalar> Scene<'_, S> {
+    /// An empty plain under a blue sky, by day.
+    pub fn day() -> Self {
+        let unit = |n| S::Unit::ratio(n, 100);
+        let light = |r, g, b| Rgb::new(unit(r), unit(g), unit(b)).map(|part| S::Light::WHITE.times(part));
+        Scene {
+            cylinders: &[],
+            ellipsoids: &[],
+            spheres: &[],
+            lamps: &[],
+            floor: Some(Floor {
+                colors: [Rgb::new(unit(85), unit(85), unit(80)), Rgb::new(unit(15), unit(17), unit(25))],
+            }),
+            sky: Sky { horizon: light(75, 82, 95), zenith: light(10, 22, 60) },
+            ambient: light(30, 30, 32),
+        }
+    }
+
+    /// The nearest hit of a ray, if it meets anything.
+    pub fn nearest<N: Needs>(&self, ray: &Ray<S>) -> Option<Hit<S>> {
+        let mut hit = None;
+        let mut t_max = S::FAR;
+        let mut found = |distance: Option<S>, object: Object, t_max: &mut S| {
+            if let Some(distance) = distance {
+                *t_max = distance;
+                hit = Some(Hit { distance, object });
+            }
+        };
+        if N::FLOOR && let Some(floor) = &self.floor {
+            found(floor.intersect(ray), Object::Floor, &mut t_max);
+        }
+        if N::CYLINDERS {
+            for (i, cylinder) in self.cylinders.iter().enumerate() {
+                found(cylinder.intersect(ray, t_max), Object::Cylinder(i), &mut t_max);
+            }
+        }
+        if N::ELLIPSOIDS {
+            for (i, ellipsoid) in self.ellipsoids.iter().enumerate() {
+                found(ellipsoid.intersect(ray, t_max), Object::Ellipsoid(i), &mut t_max);
+            }
+        }
+        if N::SPHERES {
+            for (i, sphere) in self.spheres.iter().enumerate() {
+                found(sphere.intersect(ray, t_max), Object::Sphere(i), &mut t_max);
+            }
+        }
+        if N::VISIBLE_LAMPS {
+            for (i, lamp) in self.lamps.iter().enumerate() {
+                if lamp.radius > S::ZERO {
+                    found(sphere::intersect(lamp.position, lamp.radius, ray, t_max), Object::Lamp(i), &mut t_max);
+                }
+            }
+        }
+        hit
+    }
+
+    /// What part of a lamp's light comes through from `t_max` along a shadow ray: 0 behind anything that is not
+    /// transparent, else the product of kt over the transparent objects on the way, once for each.
+    pub fn transmittance<N: Needs>(&self, ray: &Ray<S>, t_max: S) -> S::Unit {
+        let mut light = S::Unit::ONE;
+        // The part that is left, or 0 and no need to look further.
+        let mut shade = |material: &Material<S>| match material {
+            Material::Transparent(glass) if N::GLASS && N::TRANSPARENT_SHADOWS => {
+                light = light.times(glass.kt);
+                light > S::Unit::ZERO
+            }
+            _ => {
+                light = S::Unit::ZERO;
+                false
+            }
+        };
+        if N::SPHERES {
+            for sphere in self.spheres {
+                if sphere.intersect(ray, t_max).is_some() && !shade(&sphere.material) {
+                    return S::Unit::ZERO;
+                }
+            }
+        }
+        if N::ELLIPSOIDS {
+            for ellipsoid in self.ellipsoids {
+                if ellipsoid.intersect(ray, t_max).is_some() && !shade(&ellipsoid.material) {
+                    return S::Unit::ZERO;
+                }
+            }
+        }
+        if N::CYLINDERS {
+            for cylinder in self.cylinders {
+                if cylinder.intersect(ray, t_max).is_some() && !shade(&cylinder.material) {
+                    return S::Unit::ZERO;
+                }
+            }
+        }
+        if N::FLOOR
+            && let Some(floor) = &self.floor
+            && floor.intersect(ray).is_some_and(|t| t < t_max)
+        {
+            return S::Unit::ZERO;
+        }
+        light
+    }
+
+    /// What is seen along a ray: the surface of what it hits, or the radiance of a lamp or of the sky.
+    pub(crate) fn look<N: Needs>(&self, ray: &Ray<S>) -> Seen<'_, S> {
+        let sky = || Seen::Light(self.sky.radiance::<N>(ray.direction));
+        let Some(Hit { distance, object }) = self.nearest::<N>(ray) else { return sky() };
+        // One arm for each kind; an index is always that of a thing in its list.
+        let found = match object {
+            Object::Floor if N::FLOOR => self.floor.as_ref().map(|floor| {
+                let (spot, color) = floor.spot(ray, distance);
+                (spot, color, &Material::Opaque, S::ZERO)
+            }),
+            Object::Cylinder(i) if N::CYLINDERS => {
+                self.cylinders.get(i).map(|c| (c.spot(ray, distance), c.color, &c.material, c.radius))
+            }
+            Object::Ellipsoid(i) if N::ELLIPSOIDS => {
+                self.ellipsoids.get(i).map(|e| (e.spot(ray, distance), e.color, &e.material, e.extent))
+            }
+            Object::Sphere(i) if N::SPHERES => {
+                self.spheres.get(i).map(|s| (s.spot(ray, distance), s.color, &s.material, s.radius))
+            }
+            Object::Lamp(i) if N::VISIBLE_LAMPS => match self.lamps.get(i) {
+                Some(lamp) => return Seen::Light(lamp.radiance()),
+                None => None,
+            },
+            _ => None,
+        };
+        let Some((spot, color, material, extent)) = found else { return sky() };
+        let inside = spot.normal.dot(ray.direction) > S::Unit::ZERO;
+        let surface = Surface {
+            point: spot.point,
+            normal: if inside { -spot.normal } else { spot.normal },
+            incoming: ray.direction,
+            distance: spot.distance,
+            inside,
+            color,
+            material,
+        };
+        Seen::Surface(surface, extent)
+    }
+}
+
+/// What a ray sees.
+pub(crate) enum Seen<'a, S: Scalar> {
+    /// The sky or a lamp.
+    Light(Rgb<S::Light>),
+    /// A surface, and the size of the object it belongs to.
+    Surface(Surface<'a, S>, S),
+}

@@ -1,0 +1,74 @@
+//! The infinite vertical cylinder: a circle in the ground plan, and the ray's shadow in it.
+
+use super::{Spot, ahead};
+use crate::color::Rgb;
+use crate::material::Material;
+use crate::ray::Ray;
+use crate::scalar::{Scalar, Unit};
+use crate::vector::{LengthVector, UnitVec3, Vec3, Vector};
+
+/// A vertical cylinder without ends; it is seen as far up and down as [`Scalar::WORLD`].
+#[derive(Clone, Copy, Debug)]
+pub struct Cylinder<S: Scalar> {
+    /// A place on the axis.
+    pub center: Vec3<S>,
+    /// Radius, more than 0.
+    pub radius: S,
+    /// Its reciprocal.
+    pub inverse_radius: S::Inverse,
+    /// Reflectance of the surface.
+    pub color: Rgb<S::Unit>,
+    /// What the surface does with light.
+    pub material: Material<S>,
+}
+
+impl<S: Scalar> Cylinder<S> {
+    /// A cylinder from a place on its axis and its radius.
+    pub fn new(center: Vec3<S>, radius: S, color: Rgb<S::Unit>, material: Material<S>) -> Self {
+        Self { center, radius, inverse_radius: radius.inverse(), color, material }
+    }
+
+    /// Distance of the nearest hit in ]0, `t_max`[.
+    pub fn intersect(&self, ray: &Ray<S>, t_max: S) -> Option<S> {
+        let plan = ray.plan?;
+        let displacement = self.center - ray.origin;
+        let b = displacement.dot_plan(plan);
+        if b + self.radius <= S::ZERO {
+            return None;
+        }
+        let across = displacement.cross_plan(plan).square();
+        let square = self.radius.square();
+        if across > square {
+            return None;
+        }
+        let half = S::sqrt(square - across);
+        let t = ahead((b - half).stretch(plan.stretch), (b + half).stretch(plan.stretch), t_max)?;
+        let (z, rise) = (ray.origin.z(), t.scale(ray.direction.z()));
+        (rise < S::WORLD - z && rise > -S::WORLD - z).then_some(t)
+    }
+
+    /// The surface where [`Cylinder::intersect`] found the distance `t`.
+    pub fn spot(&self, ray: &Ray<S>, t: S) -> Spot<S> {
+        let Some(plan) = ray.plan else {
+            // A vertical ray meets no cylinder.
+            return Spot { distance: t, point: ray.origin.along(ray.direction, t), normal: -ray.direction };
+        };
+        let displacement = self.center - ray.origin;
+        let b = displacement.dot_plan(plan);
+        let across = displacement.cross_plan_over(plan, self.inverse_radius);
+        let half = S::Unit::radical(S::Unit::ONE, S::Unit::ZERO, across).unwrap_or(S::Unit::ZERO);
+        let near = (b - self.radius.scale(half)).stretch(plan.stretch);
+        let (distance, offset) = if near > S::ZERO {
+            (near, -half)
+        } else {
+            ((b + self.radius.scale(half)).stretch(plan.stretch), half)
+        };
+        let normal: UnitVec3<S> = Vector::new(
+            plan.x.times(offset) - plan.y.times(across),
+            plan.y.times(offset) + plan.x.times(across),
+            S::Unit::ZERO,
+        );
+        let axis = Vec3::<S>::new(self.center.x(), self.center.y(), ray.origin.z() + distance.scale(ray.direction.z()));
+        Spot { distance, point: axis.along(normal, self.radius), normal }
+    }
+}

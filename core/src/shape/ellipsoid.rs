@@ -1,0 +1,112 @@
+//! The ellipsoid with axes parallel to x, y and z.
+//!
+//! The ray is first looked at from beside the centre, where the largest radius is 1: that keeps the precision of a
+//! far one, and gives a bounding sphere. Then each axis is squashed to the smallest radius, which makes the ellipsoid
+//! a sphere and never enlarges a number, and the sphere's foot point does the rest.
+
+use super::{Spot, ahead};
+use crate::color::Rgb;
+use crate::material::Material;
+use crate::ray::Ray;
+use crate::scalar::{Scalar, Unit};
+use crate::vector::{LengthVector, UnitVec3, UnitVector, Vec3, Vector};
+
+/// An ellipsoid.
+#[derive(Clone, Copy, Debug)]
+pub struct Ellipsoid<S: Scalar> {
+    /// Centre.
+    pub center: Vec3<S>,
+    /// Radii along x, y and z, more than 0.
+    pub radii: Vec3<S>,
+    /// The largest radius.
+    pub extent: S,
+    /// Its reciprocal.
+    pub inverse_extent: S::Inverse,
+    /// The smallest radius over each radius: 0 to 1.
+    pub squash: UnitVec3<S>,
+    /// The smallest radius over the largest: 0 to 1.
+    pub thickness: S::Unit,
+    /// Reflectance of the surface.
+    pub color: Rgb<S::Unit>,
+    /// What the surface does with light.
+    pub material: Material<S>,
+}
+
+/// A ray in the space where an ellipsoid is a sphere of radius [`Ellipsoid::thickness`] around 0.
+struct Squashed<S: Scalar> {
+    /// Distance along the ray at which the largest radius is the unit and the centre is beside it.
+    b: S,
+    direction: UnitVec3<S>,
+    /// Reciprocal of the length the squashed direction had.
+    stretch: <S::Unit as Unit>::Inverse,
+    foot: UnitVec3<S>,
+    /// From beside the centre to the foot point.
+    past: S::Unit,
+    half: S::Unit,
+}
+
+impl<S: Scalar> Ellipsoid<S> {
+    /// An ellipsoid from its centre and radii.
+    pub fn new(center: Vec3<S>, radii: Vec3<S>, color: Rgb<S::Unit>, material: Material<S>) -> Self {
+        let larger = |a: S, b: S| if a > b { a } else { b };
+        let smaller = |a: S, b: S| if a < b { a } else { b };
+        let (x, y, z) = (radii.x(), radii.y(), radii.z());
+        let extent = larger(x, larger(y, z));
+        let least = smaller(x, smaller(y, z));
+        let part = |radius: S| if radius > least { least.fraction(radius.inverse()) } else { S::Unit::ONE };
+        Self {
+            center,
+            radii,
+            extent,
+            inverse_extent: extent.inverse(),
+            squash: Vector::new(part(x), part(y), part(z)),
+            thickness: part(extent),
+            color,
+            material,
+        }
+    }
+
+    /// The ray as a sphere sees it, if it meets that sphere.
+    fn squash(&self, ray: &Ray<S>, t_max: S) -> Option<Squashed<S>> {
+        let displacement = self.center - ray.origin;
+        let b = displacement.dot(ray.direction);
+        if b + self.extent <= S::ZERO || b - self.extent >= t_max {
+            return None;
+        }
+        if displacement.reject(ray.direction, b).norm_squared() > self.extent.square() {
+            return None;
+        }
+        let beside = displacement.local(ray.direction, b, self.inverse_extent).times(self.squash);
+        let (direction, stretch) = ray.direction.times(self.squash).normalize()?;
+        let past = beside.dot(direction);
+        let foot = beside.plus(direction, -past);
+        let half = foot.half_chord(self.thickness)?;
+        Some(Squashed { b, direction, stretch, foot, past, half })
+    }
+
+    /// Distance of the nearest hit in ]0, `t_max`[.
+    pub fn intersect(&self, ray: &Ray<S>, t_max: S) -> Option<S> {
+        let s = self.squash(ray, t_max)?;
+        let (near, far) = self.roots(&s);
+        ahead(near, far, t_max)
+    }
+
+    fn roots(&self, s: &Squashed<S>) -> (S, S) {
+        let at = |offset: S::Unit| s.b + self.extent.scale((offset - s.past).over(s.stretch));
+        (at(-s.half), at(s.half))
+    }
+
+    /// The surface where [`Ellipsoid::intersect`] found the distance `t`.
+    pub fn spot(&self, ray: &Ray<S>, t: S) -> Spot<S> {
+        let up = Spot { distance: t, point: ray.origin.along(ray.direction, t), normal: -ray.direction };
+        let Some(s) = self.squash(ray, S::FAR) else { return up };
+        let (near, far) = self.roots(&s);
+        let (distance, offset) = if near > S::ZERO { (near, -s.half) } else { (far, s.half) };
+        let Some((place, _)) = s.foot.plus(s.direction, offset).normalize() else { return up };
+        // The gradient of the quadric: each component of the sphere's normal once more over its radius.
+        let Some((normal, _)) = place.times(self.squash).normalize() else { return up };
+        let (r, p) = (self.radii, place);
+        let arm = Vec3::<S>::new(r.x().scale(p.x()), r.y().scale(p.y()), r.z().scale(p.z()));
+        Spot { distance, point: self.center + arm, normal }
+    }
+}

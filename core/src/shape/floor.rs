@@ -1,0 +1,48 @@
+//! The chequered floor `z = 0`: tiles of 3 x 3 units (Graham 1987).
+
+use super::Spot;
+use crate::color::Rgb;
+use crate::ray::Ray;
+use crate::scalar::Scalar;
+use crate::vector::{LengthVector, UnitVec3, UnitVector, Vec3, Vector};
+
+/// The floor; opaque.
+#[derive(Clone, Copy, Debug)]
+pub struct Floor<S: Scalar> {
+    /// Reflectance of the tiles where `floor(x / 3) + floor(y / 3)` is even, and of the others.
+    pub colors: [Rgb<S::Unit>; 2],
+}
+
+impl<S: Scalar> Floor<S> {
+    /// Distance of the hit, from above or below; at most [`Scalar::FAR`], which a ray that sinks at all does reach.
+    pub fn intersect(&self, ray: &Ray<S>) -> Option<S> {
+        let (height, rise) = (ray.origin.z(), ray.direction.z());
+        let zero = UnitVec3::<S>::X.z();
+        if height > S::ZERO && rise < zero {
+            Some(height.over(-rise))
+        } else if height < S::ZERO && rise > zero {
+            Some((-height).over(rise))
+        } else {
+            None
+        }
+    }
+
+    /// The surface where [`Floor::intersect`] found the distance `t`, and the colour of the tile.
+    ///
+    /// Beyond [`Scalar::REACH`] the colour is that of the place itself, and the place that is lit is at that distance:
+    /// no lamp within the world makes a difference there.
+    pub fn spot(&self, ray: &Ray<S>, t: S) -> (Spot<S>, Rgb<S::Unit>) {
+        let (o, d) = (ray.origin, ray.direction);
+        let near = t <= S::REACH;
+        let place = o.along(d, if near { t } else { S::REACH });
+        let odd = if near {
+            place.x().odd_tile() != place.y().odd_tile()
+        } else {
+            let (height, fall) = if o.z() < S::ZERO { (-o.z(), d.z()) } else { (o.z(), -d.z()) };
+            o.x().odd_far_tile(d.x(), height, fall) != o.y().odd_far_tile(d.y(), height, fall)
+        };
+        let point = Vec3::<S>::new(place.x(), place.y(), S::ZERO);
+        let [even_color, odd_color] = self.colors;
+        (Spot { distance: t, point, normal: UnitVec3::<S>::Z }, if odd { odd_color } else { even_color })
+    }
+}

@@ -1,0 +1,75 @@
+//! The sphere, by the perpendicular foot of its centre on the ray (Haines, Günther and Akenine-Möller, "Precision
+//! Improvements for Ray/Sphere Intersection", Ray Tracing Gems, 2019, chapter 7): the discriminant is `r^2 - |l|^2`
+//! with `l` the displacement from the ray to the centre, and nothing large is subtracted from anything large.
+
+use super::{Spot, ahead};
+use crate::color::Rgb;
+use crate::material::Material;
+use crate::ray::Ray;
+use crate::scalar::{Scalar, Unit};
+use crate::vector::{LengthVector, UnitVector, Vec3};
+
+/// A sphere.
+#[derive(Clone, Copy, Debug)]
+pub struct Sphere<S: Scalar> {
+    /// Centre.
+    pub center: Vec3<S>,
+    /// Radius, more than 0.
+    pub radius: S,
+    /// Its reciprocal.
+    pub inverse_radius: S::Inverse,
+    /// Reflectance of the surface.
+    pub color: Rgb<S::Unit>,
+    /// What the surface does with light.
+    pub material: Material<S>,
+}
+
+impl<S: Scalar> Sphere<S> {
+    /// A sphere from its centre and radius.
+    pub fn new(center: Vec3<S>, radius: S, color: Rgb<S::Unit>, material: Material<S>) -> Self {
+        Self { center, radius, inverse_radius: radius.inverse(), color, material }
+    }
+
+    /// Distance of the nearest hit in ]0, `t_max`[.
+    #[inline]
+    pub fn intersect(&self, ray: &Ray<S>, t_max: S) -> Option<S> {
+        intersect(self.center, self.radius, ray, t_max)
+    }
+
+    /// The surface where [`Sphere::intersect`] found the distance `t`.
+    pub fn spot(&self, ray: &Ray<S>, t: S) -> Spot<S> {
+        let displacement = self.center - ray.origin;
+        let b = displacement.dot(ray.direction);
+        // A place on the ray beside the centre, the centre at 0 and the radius 1.
+        let beside = displacement.local(ray.direction, b, self.inverse_radius);
+        let past = beside.dot(ray.direction); // what the rounding of b left
+        let foot = beside.plus(ray.direction, -past);
+        let (normal, offset) = match foot.half_chord(S::Unit::ONE) {
+            Some(half) => {
+                let offset = if t > b { half } else { -half };
+                (foot.plus(ray.direction, offset), offset - past)
+            }
+            // The search saw a tangent where there is a miss by less than its rounding.
+            None => (foot.normalize().map_or(-ray.direction, |(normal, _)| normal), -past),
+        };
+        let point = self.center.along(normal, self.radius);
+        Spot { distance: b + self.radius.scale(offset), point, normal }
+    }
+}
+
+/// Distance of the nearest hit of a sphere in ]0, `t_max`[.
+#[inline]
+pub(crate) fn intersect<S: Scalar>(center: Vec3<S>, radius: S, ray: &Ray<S>, t_max: S) -> Option<S> {
+    let displacement = center - ray.origin;
+    let b = displacement.dot(ray.direction);
+    if b + radius <= S::ZERO || b - radius >= t_max {
+        return None;
+    }
+    let across = displacement.reject(ray.direction, b).norm_squared();
+    let square = radius.square();
+    if across > square {
+        return None;
+    }
+    let half = S::sqrt(square - across);
+    ahead(b - half, b + half, t_max)
+}

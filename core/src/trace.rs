@@ -1,0 +1,183 @@
+//! The ray tree, walked with a flat stack (T. Whitted 1980; no recursion).
+//!
+//! A pending ray carries its weight: what part of its light arrives in the pixel. Weights multiply on the way down and
+//! contributions add up, so nothing has to be kept of the way back.
+
+use heapless::Vec;
+
+use crate::camera::Camera;
+use crate::color::Rgb;
+use crate::error::Error;
+use crate::illumination::{Illumination, Surface, Weight};
+use crate::light::Incident;
+use crate::material::{Glass, Material};
+use crate::needs::Needs;
+use crate::range::Admitted;
+use crate::ray::Ray;
+use crate::scalar::{Light, Scalar, Unit};
+use crate::scene::Seen;
+use crate::vector::{LengthVector, UnitVec3, UnitVector, Vec3};
+
+/// Draws a scene with an illumination model.
+///
+/// `STACK` is the deepest recursion it can be asked for: of the two rays that a point of a glass asks for, one is
+/// followed at once and one waits, so that at most one waits for each level.
+#[derive(Clone, Copy, Debug)]
+pub struct Tracer<'a, S: Scalar, M, N, const STACK: usize> {
+    scene: Admitted<'a, S>,
+    model: M,
+    depth: u8,
+    needs: core::marker::PhantomData<fn() -> N>,
+}
+
+/// A ray that waits for its turn.
+#[derive(Clone, Copy, Debug)]
+struct Pending<S: Scalar, W> {
+    origin: Vec3<S>,
+    direction: UnitVec3<S>,
+    weight: W,
+    depth: u8,
+}
+
+impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize> Tracer<'a, S, M, N, STACK> {
+    /// Bytes of the stack of pending rays: what the ray tree costs beyond one ray.
+    pub const STACK_BYTES: usize = size_of::<Vec<Pending<S, M::Weight>, STACK>>();
+
+    /// A tracer that follows rays through `depth` reflections and refractions: the eye's ray is depth 0, and a ray of
+    /// depth `depth` spawns nothing.
+    ///
+    /// # Errors
+    /// [`Error::Depth`] where `depth` exceeds the capacity `STACK`.
+    pub fn new(scene: Admitted<'a, S>, model: M, depth: u32) -> Result<Self, Error> {
+        let error = Error::Depth { depth, capacity: STACK };
+        let depth = u8::try_from(depth).map_err(|_| error)?;
+        if usize::from(depth) > STACK {
+            return Err(error);
+        }
+        Ok(Self { scene, model, depth, needs: core::marker::PhantomData })
+    }
+
+    /// The light that comes in along the eye's ray with a camera's direction.
+    pub fn primary(&self, camera: &Camera<S>, direction: UnitVec3<S>) -> Rgb<S::Light> {
+        self.radiance(camera.eye, direction)
+    }
+
+    /// The light that arrives at `origin` against `direction`, from all of the ray tree.
+    pub fn radiance(&self, origin: Vec3<S>, direction: UnitVec3<S>) -> Rgb<S::Light> {
+        let mut pending = Vec::<Pending<S, M::Weight>, STACK>::new();
+        let mut light = Rgb::BLACK;
+        let mut next = Some(Pending { origin, direction, weight: M::Weight::WHOLE, depth: 0 });
+        while let Some(current) = next {
+            let ray = Ray::new::<N>(current.origin, current.direction);
+            let (seen, children) = self.shade(&ray, &current);
+            light = light.plus(current.weight.filter(seen));
+            next = match children {
+                [Some(first), Some(second)] => {
+                    // There is room: at most one ray waits for each level, and there are no more than STACK.
+                    let pushed = pending.push(second);
+                    debug_assert!(pushed.is_ok(), "the ray stack is one entry for each level of depth");
+                    Some(first)
+                }
+                [Some(one), None] | [None, Some(one)] => Some(one),
+                [None, None] => pending.pop(),
+            };
+        }
+        light
+    }
+
+    /// What one ray brings of its own, and the rays that it spawns.
+    fn shade(
+        &self,
+        ray: &Ray<S>,
+        parent: &Pending<S, M::Weight>,
+    ) -> (Rgb<S::Light>, [Option<Pending<S, M::Weight>>; 2]) {
+        let (surface, extent) = match self.scene.look::<N>(ray) {
+            Seen::Light(light) => return (light, [None, None]),
+            Seen::Surface(surface, extent) => (surface, extent),
+        };
+        let outside = surface.point.leave(surface.normal, extent);
+        let mut light = self.model.ambient::<N>(&surface, self.scene.ambient);
+        if self.model.is_lit(&surface) {
+            for lamp in self.scene.lamps {
+                if let Some(incident) = Incident::new(lamp, outside, surface.normal) {
+                    light = light.plus(self.direct(&surface, &incident, outside, extent));
+                }
+            }
+        }
+        let children = if (N::MIRROR || N::GLASS) && parent.depth < self.depth {
+            self.spawn(&surface, outside, extent, parent)
+        } else {
+            [None, None]
+        };
+        (light, children)
+    }
+
+    /// What the surface sends back of one lamp.
+    fn direct(&self, surface: &Surface<S>, incident: &Incident<S>, outside: Vec3<S>, extent: S) -> Rgb<S::Light> {
+        let behind = incident.cosine <= S::Unit::ZERO;
+        if behind && !M::BOTH_SIDES {
+            return Rgb::BLACK;
+        }
+        let light = self.model.direct::<N>(surface, incident);
+        if !N::SHADOWS || light == Rgb::BLACK {
+            return light;
+        }
+        let origin = if behind { surface.point.leave(-surface.normal, extent) } else { outside };
+        let shadow = Ray::new::<N>(origin, incident.direction);
+        let part = self.scene.transmittance::<N>(&shadow, incident.distance);
+        if part == S::Unit::ONE { light } else { light.map(|register| register.times(part)) }
+    }
+
+    /// The secondary rays of a surface, the reflected one first.
+    fn spawn(
+        &self,
+        surface: &Surface<S>,
+        outside: Vec3<S>,
+        extent: S,
+        parent: &Pending<S, M::Weight>,
+    ) -> [Option<Pending<S, M::Weight>>; 2] {
+        let secondary = self.model.secondary(surface);
+        let ray = |origin, direction, weight: M::Weight| Pending {
+            origin,
+            direction,
+            weight: parent.weight.compose(weight),
+            depth: parent.depth + 1,
+        };
+        let mirrored = |weight| ray(outside, surface.incoming.reflect(surface.normal), weight);
+        let (Material::Transparent(glass), Some(through)) = (surface.material, secondary.transmitted) else {
+            return [secondary.reflected.map(mirrored), None];
+        };
+        if !N::GLASS {
+            return [secondary.reflected.map(mirrored), None];
+        }
+        match refract(surface, glass) {
+            Some(direction) => {
+                let inner = surface.point.leave(-surface.normal, extent);
+                [secondary.reflected.map(mirrored), Some(ray(inner, direction, through))]
+            }
+            // Total internal reflection: both rays are one.
+            None => [Some(mirrored(secondary.reflected.map_or(through, |w| w.join(through)))), None],
+        }
+    }
+}
+
+/// The transmitted ray by Snell's law; nothing where there is total internal reflection.
+///
+/// `T = eta I + (eta cos - sqrt(1 - eta^2 (1 - cos^2))) N`, where eta is the index of refraction where the ray comes
+/// from over that where it goes. Where that is above 1 everything is divided by it, so that no number is: the direction
+/// is normalised in the end anyway.
+pub fn refract<S: Scalar>(surface: &Surface<S>, glass: &Glass<S>) -> Option<UnitVec3<S>> {
+    let one = S::Unit::ONE;
+    let cosine = -surface.normal.dot(surface.incoming);
+    let direction = if surface.inside != glass.denser {
+        // Into the denser: 1 - eta^2 + (eta cos)^2.
+        let slanted = glass.eta.times(cosine);
+        let root = S::Unit::radical(one, slanted, glass.eta)?;
+        surface.incoming.scale(glass.eta).plus(surface.normal, slanted - root)
+    } else {
+        // Into the thinner, over eta: (1/eta)^2 - 1 + cos^2.
+        let root = S::Unit::radical(cosine, glass.eta, one)?;
+        surface.incoming.plus(surface.normal, cosine - root)
+    };
+    direction.normalize().map(|(direction, _)| direction)
+}

@@ -1,0 +1,178 @@
+//! Vectors of three lengths and of three components of a unit vector.
+//!
+//! Right-handed, z up. A float's vectors are glam's, so that a program which already has those need not convert; every
+//! other scalar uses [`Xyz`].
+
+use core::fmt::Debug;
+use core::ops::{Add, Neg, Sub};
+
+use crate::scalar::{Scalar, Unit};
+
+/// A place or a displacement: three lengths.
+pub type Vec3<S> = <S as Scalar>::Vector;
+/// A direction: three components in [-1, 1] whose squares add up to 1.
+pub type UnitVec3<S> = <S as Scalar>::UnitVector;
+
+/// Three components.
+pub trait Vector:
+    Copy + Debug + PartialEq + Add<Output = Self> + Sub<Output = Self> + Neg<Output = Self> + Send + Sync + 'static
+{
+    /// A length or a component of a unit vector.
+    type Component: Copy;
+    /// A vector from its components.
+    fn new(x: Self::Component, y: Self::Component, z: Self::Component) -> Self;
+    /// East.
+    fn x(self) -> Self::Component;
+    /// North.
+    fn y(self) -> Self::Component;
+    /// Up.
+    fn z(self) -> Self::Component;
+}
+
+/// What a vector of lengths can do.
+pub trait LengthVector: Vector {
+    /// The scalar whose vector this is.
+    type Scalar: Scalar<Vector = Self>;
+    /// `self . direction`, rounded once.
+    fn dot(self, direction: UnitVec3<Self::Scalar>) -> Self::Scalar;
+    /// `|self|^2`, exact in fixed point.
+    fn norm_squared(self) -> <Self::Scalar as Scalar>::Wide;
+    /// The place `self + distance * direction`.
+    fn along(self, direction: UnitVec3<Self::Scalar>, distance: Self::Scalar) -> Self;
+    /// `self - distance * direction`, each component rounded once: what is left of a displacement across a ray.
+    fn reject(self, direction: UnitVec3<Self::Scalar>, distance: Self::Scalar) -> Self;
+    /// `(distance * direction - self) / radius`, to the precision of a unit vector: a place on a ray as an object of
+    /// that radius sees it whose centre is `self` away from the ray's origin. The place lies within the radius.
+    fn local(
+        self,
+        direction: UnitVec3<Self::Scalar>,
+        distance: Self::Scalar,
+        radius: <Self::Scalar as Scalar>::Inverse,
+    ) -> UnitVec3<Self::Scalar>;
+    /// Direction, length and reciprocal of the length; nothing for the zero vector.
+    #[allow(clippy::type_complexity)] // three values that cost one reciprocal square root together
+    fn normalize(self) -> Option<(UnitVec3<Self::Scalar>, Self::Scalar, <Self::Scalar as Scalar>::Inverse)>;
+    /// A place on a surface, pushed off it along the normal by more than the place can be wrong, so that a ray which
+    /// starts there does not meet the surface again. `extent` is the size of the object.
+    fn leave(self, normal: UnitVec3<Self::Scalar>, extent: Self::Scalar) -> Self;
+    /// `x * ex + y * ey`: the dot product in the ground plan.
+    fn dot_plan(self, plan: Plan<Self::Scalar>) -> Self::Scalar;
+    /// `x * ey - y * ex`: how far the ray of that plan passes by `self`, with a sign.
+    fn cross_plan(self, plan: Plan<Self::Scalar>) -> Self::Scalar;
+    /// The same over a radius that is no smaller in size, to the precision of a unit vector; saturates.
+    fn cross_plan_over(
+        self,
+        plan: Plan<Self::Scalar>,
+        radius: <Self::Scalar as Scalar>::Inverse,
+    ) -> <Self::Scalar as Scalar>::Unit;
+}
+
+/// What a unit vector can do.
+pub trait UnitVector: Vector<Component: Unit> {
+    /// East.
+    const X: Self;
+    /// North.
+    const Y: Self;
+    /// Up, the thesis's CENIT.
+    const Z: Self;
+    /// Cosine of the angle between two directions.
+    fn dot(self, other: Self) -> Self::Component;
+    /// The cross product.
+    fn cross(self, other: Self) -> Self;
+    /// Each component times `factor`.
+    fn scale(self, factor: Self::Component) -> Self;
+    /// Each component times that of `other`.
+    fn times(self, other: Self) -> Self;
+    /// `self + factor * other`, each component rounded once.
+    fn plus(self, other: Self, factor: Self::Component) -> Self;
+    /// The unit vector along a vector of any length below 2, and the reciprocal of that length; nothing for zero.
+    fn normalize(self) -> Option<(Self, <Self::Component as Unit>::Inverse)>;
+    /// The reflection `self - 2 (self . normal) normal` (Whitted 1980).
+    fn reflect(self, normal: Self) -> Self;
+    /// The unit vector halfway between two directions (Blinn's H); nothing for opposite ones.
+    fn halfway(self, other: Self) -> Option<Self>;
+    /// `sqrt(radius^2 - |self|^2)`, the difference exact in fixed point: half the chord of a sphere whose foot point
+    /// is `self`; nothing where it is negative.
+    fn half_chord(self, radius: Self::Component) -> Option<Self::Component>;
+    /// The direction's ground plan; nothing for one that is vertical.
+    fn plan<S: Scalar<Unit = Self::Component>>(self) -> Option<Plan<S>>;
+}
+
+/// A direction seen from above: the unit vector of its x and y, and the reciprocal of their length.
+#[derive(Clone, Copy, Debug)]
+pub struct Plan<S: Scalar> {
+    /// x of the unit vector in the plan.
+    pub x: S::Unit,
+    /// y of the unit vector in the plan.
+    pub y: S::Unit,
+    /// Reciprocal of the length of (x, y) before: one unit in the plan is that long in space.
+    pub stretch: <S::Unit as Unit>::Inverse,
+}
+
+/// Three components of a scalar that has no vectors of its own.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct Xyz<T> {
+    /// East.
+    pub x: T,
+    /// North.
+    pub y: T,
+    /// Up.
+    pub z: T,
+}
+
+impl<T> Xyz<T> {
+    /// A vector from its components.
+    pub const fn new(x: T, y: T, z: T) -> Self {
+        Self { x, y, z }
+    }
+
+    /// Applies `f` to each component.
+    pub fn map<U>(self, mut f: impl FnMut(T) -> U) -> Xyz<U> {
+        Xyz { x: f(self.x), y: f(self.y), z: f(self.z) }
+    }
+
+    /// Applies `f` to each pair of components.
+    pub fn zip<U, V>(self, other: Xyz<U>, mut f: impl FnMut(T, U) -> V) -> Xyz<V> {
+        Xyz { x: f(self.x, other.x), y: f(self.y, other.y), z: f(self.z, other.z) }
+    }
+}
+
+impl<T: Add<Output = T>> Add for Xyz<T> {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
+        self.zip(other, |a, b| a + b)
+    }
+}
+
+impl<T: Sub<Output = T>> Sub for Xyz<T> {
+    type Output = Self;
+    fn sub(self, other: Self) -> Self {
+        self.zip(other, |a, b| a - b)
+    }
+}
+
+impl<T: Neg<Output = T>> Neg for Xyz<T> {
+    type Output = Self;
+    fn neg(self) -> Self {
+        self.map(|a| -a)
+    }
+}
+
+impl<T> Vector for Xyz<T>
+where
+    T: Copy + Debug + PartialEq + Add<Output = T> + Sub<Output = T> + Neg<Output = T> + Send + Sync + 'static,
+{
+    type Component = T;
+    fn new(x: T, y: T, z: T) -> Self {
+        Self { x, y, z }
+    }
+    fn x(self) -> T {
+        self.x
+    }
+    fn y(self) -> T {
+        self.y
+    }
+    fn z(self) -> T {
+        self.z
+    }
+}

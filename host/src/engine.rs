@@ -1,0 +1,176 @@
+//! The engine: a scene made ready in one number format and one illumination model, both chosen when the program runs.
+
+use core::fmt;
+
+use rta_core::color::Rgb;
+use rta_core::illumination::{Illumination, Rta, Whitted};
+use rta_core::needs::Everything;
+use rta_core::raster::{Pixels, Raster};
+use rta_core::trace::Tracer;
+use rta_core::{Error, Q16};
+use rta_scenes::description::Description;
+use rta_scenes::narrow::{Narrow, NarrowError, Narrowed, narrow};
+
+/// The number format that a picture is computed in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, clap::ValueEnum)]
+pub enum Format {
+    /// 32-bit float.
+    F32,
+    /// 64-bit float: the reference.
+    F64,
+    /// Fixed point: lengths in Q16.16, unit vectors in Q2.30. The same bytes on every machine.
+    Q16,
+}
+
+/// The illumination model.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, clap::ValueEnum)]
+pub enum Model {
+    /// The thesis's: Whitted's with attenuated lamps and cut-out highlights.
+    Rta,
+    /// Whitted 1980: lamps are not attenuated, highlights are powers of a cosine.
+    Whitted,
+}
+
+impl fmt::Display for Format {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::F32 => "f32",
+            Self::F64 => "f64",
+            Self::Q16 => "q16",
+        })
+    }
+}
+
+impl fmt::Display for Model {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Rta => "rta",
+            Self::Whitted => "whitted",
+        })
+    }
+}
+
+/// How a picture is computed.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Settings {
+    /// Pixels in a row.
+    pub width: u32,
+    /// Rows.
+    pub height: u32,
+    /// Width over height of the screen (not of the raster).
+    pub aspect: f64,
+    /// The number format.
+    pub format: Format,
+    /// The illumination model.
+    pub model: Model,
+    /// Recursion depth, 0 to [`MAX_DEPTH`].
+    pub depth: u32,
+}
+
+/// The deepest recursion: the capacity of the tracer's stack of pending rays.
+pub const MAX_DEPTH: u32 = 32;
+
+/// Why a scene cannot be drawn with some settings.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum EngineError {
+    /// The scene does not fit the number format.
+    #[error(transparent)]
+    Narrow(#[from] NarrowError),
+    /// Raster, depth, or what the core's own range check finds.
+    #[error(transparent)]
+    Core(#[from] Error),
+}
+
+/// A scene made ready to be drawn. Rows may be asked for in any order, from any number of threads.
+pub struct Engine {
+    settings: Settings,
+    rows: Box<dyn Rows>,
+}
+
+/// What the engine asks of a picture, whatever its number format and model.
+trait Rows: Send + Sync {
+    fn linear(&self, first: u32, out: &mut [Rgb<f32>]);
+    fn levels(&self, first: u32, gun_max: u8, out: &mut [Rgb<u8>]);
+}
+
+struct Picture<S: Narrow, M> {
+    scene: Narrowed<S>,
+    model: M,
+    depth: u32,
+    raster: Raster,
+}
+
+impl<S: Narrow, M: Illumination<S> + Copy> Picture<S, M> {
+    fn tracer(&self) -> Result<Tracer<'_, S, M, Everything, { MAX_DEPTH as usize }>, Error> {
+        Tracer::new(self.scene.scene().admit(&self.scene.camera)?, self.model, self.depth)
+    }
+
+    /// The pixels from row `first` on; `new` has made sure that there is a tracer.
+    fn each<T>(&self, first: u32, out: &mut [T], convert: impl Fn(Rgb<S::Light>) -> T) {
+        let Ok(tracer) = self.tracer() else { return };
+        let pixels = Pixels::rows(&tracer, &self.scene.camera, self.raster, first, self.raster.height());
+        for (pixel, light) in out.iter_mut().zip(pixels) {
+            *pixel = convert(light);
+        }
+    }
+}
+
+impl<S: Narrow, M: Illumination<S> + Copy> Rows for Picture<S, M> {
+    fn linear(&self, first: u32, out: &mut [Rgb<f32>]) {
+        self.each(first, out, |light| light.map(S::widen));
+    }
+
+    fn levels(&self, first: u32, gun_max: u8, out: &mut [Rgb<u8>]) {
+        self.each(first, out, |light| light.levels(gun_max));
+    }
+}
+
+impl Engine {
+    /// Makes a scene ready.
+    ///
+    /// # Errors
+    /// Whatever keeps it from being drawn with these settings; once there is an engine, nothing does.
+    pub fn new(scene: &Description, settings: &Settings) -> Result<Self, EngineError> {
+        let rows = match settings.format {
+            Format::F32 => modelled::<f32>(scene, settings)?,
+            Format::F64 => modelled::<f64>(scene, settings)?,
+            Format::Q16 => modelled::<Q16>(scene, settings)?,
+        };
+        Ok(Self { settings: settings.clone(), rows })
+    }
+
+    /// How the picture is computed.
+    pub fn settings(&self) -> &Settings {
+        &self.settings
+    }
+
+    /// Fills `out` with linear light from row `first` on, from left to right and from top to bottom.
+    pub fn linear_rows(&self, first: u32, out: &mut [Rgb<f32>]) {
+        self.rows.linear(first, out);
+    }
+
+    /// The same as levels `0..=gun_max` of a display's guns, rounded in the picture's own number format.
+    pub fn level_rows(&self, first: u32, gun_max: u8, out: &mut [Rgb<u8>]) {
+        self.rows.levels(first, gun_max, out);
+    }
+}
+
+fn modelled<S: Narrow>(scene: &Description, settings: &Settings) -> Result<Box<dyn Rows>, EngineError> {
+    match settings.model {
+        Model::Rta => picture::<S, _>(scene, settings, Rta),
+        Model::Whitted => picture::<S, _>(scene, settings, Whitted::default()),
+    }
+}
+
+fn picture<S: Narrow, M: Illumination<S> + Copy + 'static>(
+    scene: &Description,
+    settings: &Settings,
+    model: M,
+) -> Result<Box<dyn Rows>, EngineError> {
+    let raster = Raster::new(settings.width, settings.height)?;
+    let picture =
+        Picture { scene: narrow::<S>(scene, settings.aspect)?, model, depth: settings.depth, raster };
+    picture.tracer()?;
+    Ok(Box::new(picture))
+}

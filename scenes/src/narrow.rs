@@ -1,0 +1,293 @@
+//! From a description in `f64` into a scene of one number format, or an error that says what does not fit.
+
+use core::fmt;
+
+use rta_core::camera::{Camera, Lens};
+use rta_core::color::Rgb;
+use rta_core::light::Lamp;
+use rta_core::material::{Glass, Material};
+use rta_core::scene::{Scene, Sky};
+use rta_core::shape::{Cylinder, Ellipsoid, Floor, Sphere};
+use rta_core::vector::{Vec3, Vector};
+use rta_core::Scalar;
+
+use crate::description::{self, Description, Surface};
+
+mod formats;
+
+/// A number format that descriptions can be narrowed to.
+pub trait Narrow: Scalar {
+    /// What the format is called on a command line.
+    const NAME: &'static str;
+    /// The smallest radius: a ray's start must be able to stand off a surface without leaving it far behind.
+    const SMALLEST_RADIUS: f64;
+    /// The largest reflectance.
+    const LARGEST_COLOR: f64;
+    /// The largest radiance of sky and ambient light.
+    const LARGEST_LIGHT: f64;
+    /// The largest intensity of a lamp.
+    const LARGEST_POWER: f64;
+    /// [`Scalar::WORLD`].
+    fn world() -> f64;
+    /// The nearest length; the value is within the format.
+    fn length(value: f64) -> Self;
+    /// The nearest component or coefficient; the value is within the format.
+    fn unit(value: f64) -> Self::Unit;
+    /// The nearest radiance; the value is within the format.
+    fn light(value: f64) -> Self::Light;
+    /// The nearest intensity; the value is within the format.
+    fn power(value: f64) -> Self::Power;
+    /// A radiance as a float.
+    fn widen(light: Self::Light) -> f32;
+}
+
+/// A scene and an eye in one number format: the lists that a core [`Scene`] borrows.
+#[derive(Clone, Debug)]
+pub struct Narrowed<S: Scalar> {
+    /// Eye and image plane.
+    pub camera: Camera<S>,
+    /// Cylinders.
+    pub cylinders: Vec<Cylinder<S>>,
+    /// Ellipsoids.
+    pub ellipsoids: Vec<Ellipsoid<S>>,
+    /// Spheres.
+    pub spheres: Vec<Sphere<S>>,
+    /// Lamps.
+    pub lamps: Vec<Lamp<S>>,
+    /// The floor.
+    pub floor: Option<Floor<S>>,
+    /// The sky.
+    pub sky: Sky<S>,
+    /// Ambient light.
+    pub ambient: Rgb<S::Light>,
+}
+
+impl<S: Scalar> Narrowed<S> {
+    /// The scene, borrowed.
+    pub fn scene(&self) -> Scene<'_, S> {
+        Scene {
+            cylinders: &self.cylinders,
+            ellipsoids: &self.ellipsoids,
+            spheres: &self.spheres,
+            lamps: &self.lamps,
+            floor: self.floor,
+            sky: self.sky,
+            ambient: self.ambient,
+        }
+    }
+}
+
+/// Something in a scene that a number format cannot hold.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct NarrowError {
+    /// The thing, with its line in the file if it has one: `sphere 3 (line 12)`.
+    pub object: String,
+    /// What of it does not fit: `x and radius`.
+    pub quantity: &'static str,
+    /// Its size.
+    pub value: f64,
+    /// What it may be at most, or at least where it is too small.
+    pub limit: f64,
+    /// The number format.
+    pub format: &'static str,
+}
+
+impl fmt::Display for NarrowError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { object, quantity, value, limit, format } = self;
+        let side = if value.abs() < *limit { "below the smallest" } else { "beyond the largest" };
+        write!(f, "{object} is out of {format}'s range: {quantity} {value}, {side} {limit}")
+    }
+}
+
+impl core::error::Error for NarrowError {}
+
+/// What an error says of the thing that is being narrowed.
+struct Checker<S> {
+    object: String,
+    format: core::marker::PhantomData<S>,
+}
+
+impl<S: Narrow> Checker<S> {
+    fn new(kind: &str, index: usize, line: u32) -> Self {
+        let place = if line > 0 { format!(" (line {line})") } else { String::new() };
+        Self::named(format!("{kind} {}{place}", index + 1))
+    }
+
+    fn named(object: impl Into<String>) -> Self {
+        Self { object: object.into(), format: core::marker::PhantomData }
+    }
+
+    fn error(&self, quantity: &'static str, value: f64, limit: f64) -> NarrowError {
+        NarrowError { object: self.object.clone(), quantity, value, limit, format: S::NAME }
+    }
+
+    fn at_most(&self, quantity: &'static str, value: f64, limit: f64) -> Result<f64, NarrowError> {
+        if value.abs() <= limit { Ok(value) } else { Err(self.error(quantity, value, limit)) }
+    }
+
+    /// A place of something that reaches `radius` about it.
+    fn place(&self, place: [f64; 3], radius: f64) -> Result<Vec3<S>, NarrowError> {
+        self.at_most("the radius", radius, S::world())?;
+        let names = ["x (with the radius)", "y (with the radius)", "z (with the radius)"];
+        let bare = ["x", "y", "z"];
+        for (axis, &c) in place.iter().enumerate() {
+            let quantity = if radius > 0.0 { names.get(axis) } else { bare.get(axis) };
+            self.at_most(quantity.copied().unwrap_or("position"), c.abs() + radius, S::world())?;
+        }
+        let [x, y, z] = place.map(S::length);
+        Ok(Vector::new(x, y, z))
+    }
+
+    fn radius(&self, radius: f64) -> Result<S, NarrowError> {
+        if radius < S::SMALLEST_RADIUS {
+            return Err(self.error("the radius", radius, S::SMALLEST_RADIUS));
+        }
+        self.at_most("the radius", radius, S::world()).map(S::length)
+    }
+
+    fn color(&self, quantity: &'static str, color: [f64; 3]) -> Result<Rgb<S::Unit>, NarrowError> {
+        for register in color {
+            self.at_most(quantity, register, S::LARGEST_COLOR)?;
+        }
+        let [r, g, b] = color.map(S::unit);
+        Ok(Rgb::new(r, g, b))
+    }
+
+    fn light(&self, color: [f64; 3]) -> Result<Rgb<S::Light>, NarrowError> {
+        for register in color {
+            self.at_most("a register", register, S::LARGEST_LIGHT)?;
+        }
+        let [r, g, b] = color.map(S::light);
+        Ok(Rgb::new(r, g, b))
+    }
+}
+
+fn material<S: Narrow>(surface: &Surface) -> Material<S> {
+    match *surface {
+        Surface::Opaque => Material::Opaque,
+        Surface::Shiny => Material::Shiny,
+        Surface::Mirror => Material::Mirror,
+        Surface::Transparent { ks, kt, ior } => Material::Transparent(Glass {
+            ks: S::unit(ks),
+            kt: S::unit(kt),
+            eta: S::unit(if ior > 1.0 { 1.0 / ior } else { ior }),
+            denser: ior >= 1.0,
+        }),
+    }
+}
+
+fn camera<S: Narrow>(camera: &description::Camera, aspect: f64) -> Result<Camera<S>, NarrowError> {
+    let eye = Checker::<S>::named("the observer").place(camera.eye, 0.0)?;
+    let [x, y, z] = camera.direction().unwrap_or([0.0, 1.0, 0.0]).map(S::unit);
+    let (width, height) = (1.0, 1.0 / aspect);
+    let largest = camera.focal.max(width).max(height);
+    let lens = Lens {
+        focal: S::unit(camera.focal / largest),
+        width: S::unit(width / largest),
+        height: S::unit(height / largest),
+    };
+    Ok(Camera::new(eye, Vector::new(x, y, z), lens))
+}
+
+fn lamp<S: Narrow>(index: usize, lamp: &description::Lamp) -> Result<Lamp<S>, NarrowError> {
+    let check = Checker::<S>::new("lamp", index, lamp.line);
+    let position = check.place(lamp.position, lamp.radius)?;
+    let radius = if lamp.radius == 0.0 { S::ZERO } else { check.radius(lamp.radius)? };
+    let strongest = lamp.color.iter().fold(0.0f64, |most, &register| most.max(register));
+    check.at_most("the intensity", strongest, S::LARGEST_POWER)?;
+    let [r, g, b] = lamp.color.map(|register| S::unit(if strongest > 0.0 { register / strongest } else { 0.0 }));
+    Ok(Lamp::new(position, radius, <S as Narrow>::power(strongest), Rgb::new(r, g, b)))
+}
+
+/// Brings a description into the number format `S`, for a screen of the shape `aspect : 1`.
+///
+/// # Errors
+/// The first thing that the format cannot hold, with its size and the limit.
+pub fn narrow<S: Narrow>(description: &Description, aspect: f64) -> Result<Narrowed<S>, NarrowError> {
+    let mut cylinders = Vec::with_capacity(description.cylinders.len());
+    for (i, c) in description.cylinders.iter().enumerate() {
+        let check = Checker::<S>::new("cylinder", i, c.line);
+        let (place, radius) = (check.place([c.position[0], c.position[1], 0.0], c.radius)?, check.radius(c.radius)?);
+        cylinders.push(Cylinder::new(place, radius, check.color("a colour's register", c.color)?, material(&c.surface)));
+    }
+    let mut ellipsoids = Vec::with_capacity(description.ellipsoids.len());
+    for (i, e) in description.ellipsoids.iter().enumerate() {
+        let check = Checker::<S>::new("ellipsoid", i, e.line);
+        let extent = e.radii.iter().fold(0.0f64, |most, &radius| most.max(radius));
+        let place = check.place(e.position, extent)?;
+        let [x, y, z] = e.radii;
+        let radii = Vector::new(check.radius(x)?, check.radius(y)?, check.radius(z)?);
+        let color = check.color("a colour's register", e.color)?;
+        let mut ellipsoid = Ellipsoid::new(place, radii, color, material(&e.surface));
+        // The ratios once more, from the numbers of the file: a thin radius has few digits in the format.
+        let thinnest = x.min(y).min(z);
+        let [a, b, c] = e.radii.map(|radius| S::unit(thinnest / radius));
+        ellipsoid.squash = Vector::new(a, b, c);
+        ellipsoid.thickness = S::unit(thinnest / extent);
+        ellipsoids.push(ellipsoid);
+    }
+    let mut spheres = Vec::with_capacity(description.spheres.len());
+    for (i, s) in description.spheres.iter().enumerate() {
+        let check = Checker::<S>::new("sphere", i, s.line);
+        let (place, radius) = (check.place(s.position, s.radius)?, check.radius(s.radius)?);
+        spheres.push(Sphere::new(place, radius, check.color("a colour's register", s.color)?, material(&s.surface)));
+    }
+    let lamps: Result<Vec<_>, _> = description.lamps.iter().enumerate().map(|(i, l)| lamp(i, l)).collect();
+    let floor = match &description.floor {
+        None => None,
+        Some(floor) => {
+            let check = Checker::<S>::named("the floor");
+            let [even, odd] = floor.colors;
+            Some(Floor { colors: [check.color("a colour's register", even)?, check.color("a colour's register", odd)?] })
+        }
+    };
+    Ok(Narrowed {
+        camera: camera(&description.camera, aspect)?,
+        cylinders,
+        ellipsoids,
+        spheres,
+        lamps: lamps?,
+        floor,
+        sky: Sky {
+            horizon: Checker::<S>::named("the horizon").light(description.sky.horizon)?,
+            zenith: Checker::<S>::named("the zenith").light(description.sky.zenith)?,
+        },
+        ambient: Checker::<S>::named("the ambient light").light(description.ambient)?,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use rta_core::Q16;
+
+    use super::*;
+    use crate::{dat, shipped};
+
+    fn refused(edit: impl Fn(&mut Description)) -> String {
+        let mut scene = dat::read(shipped::GLASS_2.as_bytes(), "glass-2.dat").expect("a shipped scene");
+        edit(&mut scene);
+        match narrow::<Q16>(&scene, 1.0) {
+            Ok(_) => "admitted".into(),
+            Err(error) => error.to_string(),
+        }
+    }
+
+    #[test]
+    fn errors_name_object_number_and_limit() {
+        assert_eq!(refused(|_| ()), "admitted");
+        assert_eq!(
+            refused(|s| s.spheres[1].position[0] = -9000.0),
+            "sphere 2 (line 9) is out of q16's range: x (with the radius) 9000.9, beyond the largest 8192"
+        );
+        assert_eq!(
+            refused(|s| s.spheres[0].radius = 1e-5),
+            "sphere 1 (line 8) is out of q16's range: the radius 0.00001, below the smallest 0.000244140625"
+        );
+        assert!(refused(|s| s.lamps[1].color[2] = 1e12).starts_with("lamp 2 (line 12) is out of q16's range: the intensity"));
+        assert!(refused(|s| s.camera.eye[2] = 1e300).starts_with("the observer is out of q16's range: z"));
+        assert!(refused(|s| s.sky.zenith[2] = 1e6).starts_with("the zenith is out of q16's range"));
+        assert!(refused(|s| s.spheres[0].color[1] = 2.0).contains("beyond the largest 1.99"));
+    }
+}

@@ -1,0 +1,88 @@
+//! The number formats and their limits.
+
+use fixed::types::{I2F30, I16F16};
+use rta_core::scalar::{Light, Radiance};
+use rta_core::{Q16, Scalar};
+
+use super::Narrow;
+
+/// An intensity as 32 bits and an exponent, rounded to the nearest.
+#[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // scaled to [2^31, 2^32[
+fn power<S: Scalar>(value: f64) -> S::Power {
+    if value <= 0.0 {
+        return S::power(0, 0);
+    }
+    let (mut mantissa, mut exponent) = (value, 0);
+    while mantissa >= 4_294_967_295.5 {
+        mantissa /= 2.0;
+        exponent += 1;
+    }
+    while mantissa < 2_147_483_648.0 {
+        mantissa *= 2.0;
+        exponent -= 1;
+    }
+    S::power(mantissa.round() as u32, exponent)
+}
+
+impl Narrow for Q16 {
+    const NAME: &'static str = "q16";
+    // Four times the distance that a ray's start stands off a surface.
+    const SMALLEST_RADIUS: f64 = 16.0 / 65536.0;
+    const LARGEST_COLOR: f64 = 1.99;
+    const LARGEST_LIGHT: f64 = 32767.0;
+    const LARGEST_POWER: f64 = 1e9;
+
+    fn world() -> f64 {
+        Self::WORLD.to_num()
+    }
+    fn length(value: f64) -> Self {
+        Self::saturating_from_num(value)
+    }
+    fn unit(value: f64) -> I2F30 {
+        I2F30::saturating_from_num(value)
+    }
+    fn light(value: f64) -> Radiance {
+        Radiance(I16F16::saturating_from_num(value))
+    }
+    fn power(value: f64) -> <Self as Scalar>::Power {
+        power::<Self>(value)
+    }
+    fn widen(light: Radiance) -> f32 {
+        light.0.to_num()
+    }
+}
+
+macro_rules! float {
+    ($f:ty, $name:literal) => {
+        #[allow(clippy::cast_possible_truncation)] // rounding is what narrowing is
+        impl Narrow for $f {
+            const NAME: &'static str = $name;
+            const SMALLEST_RADIUS: f64 = <$f>::MIN_POSITIVE as f64 * 1e20;
+            const LARGEST_COLOR: f64 = 1e9;
+            const LARGEST_LIGHT: f64 = 1e9;
+            const LARGEST_POWER: f64 = 1e15;
+
+            fn world() -> f64 {
+                f64::from(Self::WORLD)
+            }
+            fn length(value: f64) -> Self {
+                value as $f
+            }
+            fn unit(value: f64) -> Self {
+                value as $f
+            }
+            fn light(value: f64) -> Self {
+                <$f as Light>::WHITE * value as $f
+            }
+            fn power(value: f64) -> Self {
+                value as $f
+            }
+            fn widen(light: Self) -> f32 {
+                light as f32
+            }
+        }
+    };
+}
+
+float!(f32, "f32");
+float!(f64, "f64");
