@@ -1,1 +1,35 @@
-//! placeholder
+//! The desktop program: scenes onto the emulated displays of 1990, into a window or into picture files.
+//!
+//! # The way of a picture
+//!
+//! | step | where |
+//! | --- | --- |
+//! | what is asked for | [`args`], [`request`], [`raster`] |
+//! | the scene file | [`scene`] |
+//! | the tracer, in one number format and with one model | [`engine`] |
+//! | bands of rows on all cores, delivered in order | [`bands`], [`progress`], [`interrupt`] |
+//! | the emulated device with its colour table, and what is read back from it | [`device`], [`screen`] |
+//! | a picture file, complete or not there at all | [`picture`], [`output`] |
+//! | the commands | [`render`] into a file; [`show`], [`frame`] and [`window`] |
+//!
+//! Light is linear all the way and no gamma is applied anywhere: 1 is the brightest level of a gun, which is 255
+//! in a picture file with 8 bits a register.
+#![forbid(unsafe_code)]
+
+pub mod args;
+pub mod bands;
+pub mod device;
+pub mod engine;
+pub mod error;
+pub mod frame;
+pub mod interrupt;
+pub mod output;
+pub mod picture;
+pub mod progress;
+pub mod raster;
+pub mod render;
+pub mod request;
+pub mod scene;
+pub mod screen;
+pub mod show;
+pub mod window;

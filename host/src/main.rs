@@ -1,1 +1,46 @@
-fn main(){}
+//! A Whitted ray tracer in fixed point and float, on the displays of 1990.
+#![forbid(unsafe_code)]
+
+use std::io::{self, Write};
+use std::process::ExitCode;
+
+use clap::Parser;
+use rta::args::{Cli, Command, ShowArgs};
+use rta::error::Error;
+use rta::{interrupt, render, window};
+
+/// Status after any error.
+const FAILED: u8 = 2;
+
+fn main() -> ExitCode {
+    let cli = match Cli::try_parse() {
+        Ok(cli) => cli,
+        Err(usage) if usage.use_stderr() => {
+            complain(&usage.render().to_string());
+            return FAILED.into();
+        }
+        // Help and version; whoever does not read them to the end has seen enough.
+        Err(help) => {
+            let _ = help.print();
+            return ExitCode::SUCCESS;
+        }
+    };
+    let outcome = match cli.command {
+        None => window::run(&ShowArgs::default()),
+        Some(Command::Show(args)) => window::run(&args),
+        Some(Command::Render(args)) => render::run(&args),
+    };
+    match outcome {
+        Ok(()) | Err(Error::BrokenPipe) => ExitCode::SUCCESS,
+        Err(Error::Interrupted) => interrupt::STATUS.into(),
+        Err(error) => {
+            complain(&format!("error: {error}\n"));
+            FAILED.into()
+        }
+    }
+}
+
+/// Standard error may be closed too: then nobody wants to know.
+fn complain(text: &str) {
+    let _ = write!(io::stderr(), "rta: {text}");
+}

@@ -1,0 +1,163 @@
+//! The command line.
+
+use std::path::PathBuf;
+
+use clap::{Args, Parser, Subcommand};
+
+use crate::device::{Device, Target};
+use crate::engine::{Format, MAX_DEPTH, Model};
+use crate::picture::FileType;
+use crate::raster::{Aspect, Size};
+use crate::request::Request;
+use crate::screen::TableKind;
+
+const EXAMPLES: &str = "\
+Examples:
+  rta                                               the Juggler on a PS/2
+  rta show glass-2.dat --device pixrect             a scene on a SPARCstation
+  rta render hall-22.dat -o hall.png --format q16   traced in fixed point, as firmware does
+  rta render hall-22.dat -o hall.pfm --device none --size 640x480
+  rta render - -o - --device none --as ppm <hall-22.dat | pnmtopng >hall.png
+
+Status: 0 if all went well, 2 after any error.";
+
+/// A Whitted ray tracer in fixed point and float, on the displays of 1990
+///
+/// Without a command, rta shows the Juggler (Eric Graham, 1987) as an IBM PS/2 would.
+#[derive(Debug, Parser)]
+#[command(name = "rta", version, after_help = EXAMPLES, max_term_width = 100)]
+pub struct Cli {
+    /// What to do; nothing is `show`.
+    #[command(subcommand)]
+    pub command: Option<Command>,
+}
+
+/// What the program does.
+#[derive(Debug, Subcommand)]
+pub enum Command {
+    /// Show a scene in a window, on the screen of a device
+    ///
+    /// The picture fills in as it is traced. Keys: D next device, M next illumination model, F next number
+    /// format, T other colour table, + and - (or up and down) depth, R trace again, S save as a PNG in the current
+    /// folder, H or F1 these keys, Esc or Q leave.
+    ///
+    /// With no display (neither DISPLAY nor WAYLAND_DISPLAY, or no window to be had) the picture is written as a
+    /// PNG into the current folder. No file is ever overwritten by this command.
+    Show(ShowArgs),
+    /// Trace a scene into a picture file
+    ///
+    /// The file appears complete or not at all: it is written beside its place and renamed at the end. Pipes and
+    /// devices are written directly. The bytes do not depend on the number of threads.
+    #[command(after_help = EXAMPLES)]
+    Render(RenderArgs),
+}
+
+/// `rta show`.
+#[derive(Args, Debug)]
+pub struct ShowArgs {
+    /// Scene file (.dat), or - for standard input; without one, the Juggler
+    pub scene: Option<PathBuf>,
+    /// The display to emulate
+    #[arg(long, value_enum, default_value_t = Device::Vga)]
+    pub device: Device,
+    /// How the picture is traced.
+    #[command(flatten)]
+    pub tracing: TracingArgs,
+}
+
+/// `rta render`.
+#[derive(Args, Debug)]
+pub struct RenderArgs {
+    /// Scene file (.dat), or - for standard input
+    pub scene: PathBuf,
+    /// Picture file: .png, .ppm or .pfm; - is standard output
+    ///
+    /// A PNG from a device is indexed, with the device's own colour table. A PFM holds linear light, unclamped,
+    /// and needs --device none.
+    #[arg(short, long, value_name = "FILE")]
+    pub output: PathBuf,
+    /// The display to emulate, or none for 8 bits a gun without a colour table
+    #[arg(long, value_enum, default_value_t = Target::On(Device::Vga))]
+    pub device: Target,
+    /// Kind of picture, whatever the name of the file says [default: by the extension; png into pipes]
+    #[arg(long = "as", value_enum, value_name = "TYPE")]
+    pub file_type: Option<FileType>,
+    /// How the picture is traced.
+    #[command(flatten)]
+    pub tracing: TracingArgs,
+}
+
+/// How a picture is traced, for every command.
+#[derive(Args, Clone, Debug)]
+pub struct TracingArgs {
+    /// Number format of the tracer
+    #[arg(long, value_enum, default_value_t = Format::F32)]
+    pub format: Format,
+    /// Illumination model
+    #[arg(long, value_enum, default_value_t = Model::Rta)]
+    pub model: Model,
+    /// Reflections and refractions that a ray is followed through; 0 is what the eye sees directly
+    #[arg(long, default_value_t = 5, value_name = "N", value_parser = clap::value_parser!(u8).range(..=i64::from(MAX_DEPTH)))]
+    pub depth: u8,
+    /// Colour table of the device
+    #[arg(long, value_enum, default_value_t = TableKind::Adaptive)]
+    pub table: TableKind,
+    /// Pixels of the picture [default: the device's; with --device none 320x200]
+    ///
+    /// On a device the picture is a window in its raster, so it may not be larger, and its pixels keep their
+    /// shape. Up to 65535 pixels a side, and as many in all as 8192x8192 has.
+    #[arg(long, value_name = "WxH")]
+    pub size: Option<Size>,
+    /// Shape of the screen that the picture fills, as 4:3 or 1.333
+    ///
+    /// [default: the device's shape, or the shape that its pixels give a window of --size; with --device none
+    /// square pixels, except that 320x200 is a 4:3 screen]
+    #[arg(long, value_name = "RATIO", verbatim_doc_comment)]
+    pub aspect: Option<Aspect>,
+    /// Threads that trace [default: one for each core]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    pub threads: Option<u16>,
+}
+
+impl TracingArgs {
+    /// The request that these arguments make of `target`.
+    #[must_use]
+    pub fn request(&self, target: Target) -> Request {
+        let Self { format, model, depth, table, size, aspect, .. } = *self;
+        Request { target, table, format, model, depth, size, aspect }
+    }
+}
+
+impl Default for ShowArgs {
+    fn default() -> Self {
+        let tracing = TracingArgs {
+            format: Format::F32,
+            model: Model::Rta,
+            depth: 5,
+            table: TableKind::Adaptive,
+            size: None,
+            aspect: None,
+            threads: None,
+        };
+        Self { scene: None, device: Device::Vga, tracing }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use clap::{CommandFactory, Parser};
+
+    use super::{Cli, Command, ShowArgs};
+
+    #[test]
+    fn the_definition_is_sound() {
+        Cli::command().debug_assert();
+    }
+
+    #[test]
+    fn no_command_is_show_without_options() {
+        let cli = Cli::try_parse_from(["rta", "show"]).expect("a command");
+        let Some(Command::Show(args)) = cli.command else { panic!("not show") };
+        assert_eq!(format!("{args:?}"), format!("{:?}", ShowArgs::default()));
+    }
+}

@@ -1,0 +1,47 @@
+//! How far a picture is, on a terminal, for those that take longer than a second.
+
+use core::time::Duration;
+use std::io::{self, IsTerminal};
+use std::time::Instant;
+
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+
+/// How long to keep silent.
+const PATIENCE: Duration = Duration::from_secs(1);
+
+/// A bar on standard error if that is a terminal, and nothing anywhere else. It goes away when dropped.
+#[derive(Debug)]
+pub struct Progress {
+    bar: ProgressBar,
+    /// When to begin, unless that is done or there is no terminal.
+    waits_since: Option<Instant>,
+}
+
+impl Progress {
+    /// Progress through `rows` rows.
+    #[must_use]
+    pub fn new(rows: u32) -> Self {
+        let bar = ProgressBar::with_draw_target(Some(rows.into()), ProgressDrawTarget::hidden());
+        if let Ok(style) =
+            ProgressStyle::with_template("{bar:40} {percent:>3} %  {elapsed} (about {eta} left)")
+        {
+            bar.set_style(style);
+        }
+        Self { bar, waits_since: io::stderr().is_terminal().then(Instant::now) }
+    }
+
+    /// Tells that the first `rows` rows are done.
+    pub fn reached(&mut self, rows: u32) {
+        if self.waits_since.is_some_and(|since| since.elapsed() > PATIENCE) {
+            self.waits_since = None;
+            self.bar.set_draw_target(ProgressDrawTarget::stderr());
+        }
+        self.bar.set_position(rows.into());
+    }
+}
+
+impl Drop for Progress {
+    fn drop(&mut self) {
+        self.bar.finish_and_clear();
+    }
+}

@@ -1,0 +1,137 @@
+//! What is asked for: a picture of a scene, on a display, traced in some way.
+
+use crate::device::Target;
+use crate::engine::{Engine, Format, Model, Settings};
+use crate::error::Error;
+use crate::picture::Caption;
+use crate::raster::{Aspect, Size};
+use crate::scene::Scene;
+use crate::screen::TableKind;
+
+/// What the options of a command say.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Request {
+    /// The display.
+    pub target: Target,
+    /// Its colour table; without a device it has no meaning.
+    pub table: TableKind,
+    /// Number format.
+    pub format: Format,
+    /// Illumination model.
+    pub model: Model,
+    /// Greatest depth of a ray.
+    pub depth: u8,
+    /// Pixels, or the display's own.
+    pub size: Option<Size>,
+    /// Shape of the screen, or the display's own.
+    pub aspect: Option<Aspect>,
+}
+
+impl Request {
+    /// Pixels of the picture and shape of the screen that it fills (width over height).
+    ///
+    /// A picture smaller than its device is a window in the device's raster and keeps the shape of the device's
+    /// pixels. Without a device, pixels are square, except that 320 x 200 is the 4 : 3 screen of mode 13h.
+    ///
+    /// # Errors
+    /// [`Error::LargerThanDevice`], and [`Error::Shape`] if the window is too narrow or too wide.
+    pub fn raster(&self) -> Result<(Size, f64), Error> {
+        let (whole, whole_aspect) = (self.target.size(), self.target.aspect());
+        let size = self.size.unwrap_or(whole);
+        if let Target::On(device) = self.target
+            && (size.width() > whole.width() || size.height() > whole.height())
+        {
+            return Err(Error::LargerThanDevice { size, device });
+        }
+        let natural = match self.target {
+            Target::On(_) => size.ratio() / whole.ratio() * whole_aspect,
+            Target::None if size == whole => whole_aspect,
+            Target::None => size.ratio(),
+        };
+        let aspect = match self.aspect {
+            Some(aspect) => aspect,
+            None => Aspect::new(natural).map_err(|reason| Error::Shape { size, reason })?,
+        };
+        Ok((size, aspect.ratio()))
+    }
+
+    /// The scene made ready to be traced as asked.
+    ///
+    /// # Errors
+    /// Those of [`Request::raster`], and [`Error::Engine`].
+    pub fn engine(&self, scene: &Scene) -> Result<Engine, Error> {
+        let (size, aspect) = self.raster()?;
+        let settings = Settings {
+            width: size.width(),
+            height: size.height(),
+            aspect,
+            format: self.format,
+            model: self.model,
+            depth: self.depth,
+        };
+        let failed = |source| Error::Engine { name: scene.source.clone(), source };
+        Engine::new(&scene.description, &settings).map_err(failed)
+    }
+
+    /// Words for a picture of `scene`.
+    #[must_use]
+    pub fn caption(&self, scene: &Scene) -> Caption {
+        let Self { target, table, format, model, depth, .. } = self;
+        let table = match target {
+            Target::On(_) => format!(", {table} colour table"),
+            Target::None => String::new(),
+        };
+        let settings = format!("device {target}{table}, format {format}, model {model}, depth {depth}");
+        Caption { title: scene.title.clone(), settings }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Request;
+    use crate::args::ShowArgs;
+    use crate::device::{Device, Target};
+    use crate::error::Error;
+    use crate::raster::Size;
+
+    fn request(target: Target, size: Option<&str>, aspect: Option<&str>) -> Request {
+        let size = size.map(|text| text.parse().expect("a size"));
+        let aspect = aspect.map(|text| text.parse().expect("an aspect"));
+        Request { size, aspect, ..ShowArgs::default().tracing.request(target) }
+    }
+
+    #[test]
+    fn rasters_and_screens_follow_the_device() {
+        let vga = Target::On(Device::Vga);
+        let graphigs = Target::On(Device::Graphigs);
+        let cases = [
+            (vga, None, None, "320x200", 4.0 / 3.0),
+            (vga, Some("160x100"), None, "160x100", 4.0 / 3.0),
+            (vga, Some("100x100"), None, "100x100", 5.0 / 6.0),
+            (vga, Some("100x100"), Some("2:1"), "100x100", 2.0),
+            (graphigs, Some("512x256"), None, "512x256", 2.0),
+            (Target::On(Device::Pixrect), None, None, "1152x900", 1.28),
+            (Target::None, None, None, "320x200", 4.0 / 3.0),
+            (Target::None, Some("320x200"), None, "320x200", 4.0 / 3.0),
+            (Target::None, Some("640x400"), None, "640x400", 1.6),
+            (Target::None, None, Some("1"), "320x200", 1.0),
+        ];
+        for (target, size, aspect, want_size, want_aspect) in cases {
+            let (got, shape) = request(target, size, aspect).raster().expect("it fits");
+            assert_eq!(got.to_string(), want_size);
+            assert!((shape - want_aspect).abs() < 1e-12, "{target} {size:?} {aspect:?}: {shape}");
+        }
+    }
+
+    #[test]
+    fn what_does_not_fit_is_refused() {
+        let large = request(Target::On(Device::Vga), Some("320x201"), None).raster();
+        assert!(matches!(large, Err(Error::LargerThanDevice { device: Device::Vga, .. })));
+        let narrow = request(Target::None, Some("1x101"), None).raster();
+        assert!(matches!(narrow, Err(Error::Shape { .. })));
+        assert_eq!(
+            request(Target::None, Some("1x101"), Some("1")).raster().expect("told").0,
+            Size::new(1, 101).expect("small")
+        );
+    }
+}
