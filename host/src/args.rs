@@ -97,8 +97,8 @@ pub struct TracingArgs {
     #[arg(long, value_enum, default_value_t = Model::Rta)]
     pub model: Model,
     /// Reflections and refractions that a ray is followed through; 0 is what the eye sees directly
-    #[arg(long, default_value_t = 5, value_name = "N", value_parser = clap::value_parser!(u8).range(..=i64::from(MAX_DEPTH)))]
-    pub depth: u8,
+    #[arg(long, default_value_t = 5, value_name = "N", value_parser = clap::value_parser!(u32).range(..=i64::from(MAX_DEPTH)))]
+    pub depth: u32,
     /// Colour table of the device
     #[arg(long, value_enum, default_value_t = TableKind::Adaptive)]
     pub table: TableKind,

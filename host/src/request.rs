@@ -20,7 +20,7 @@ pub struct Request {
     /// Illumination model.
     pub model: Model,
     /// Greatest depth of a ray.
-    pub depth: u8,
+    pub depth: u32,
     /// Pixels, or the display's own.
     pub size: Option<Size>,
     /// Shape of the screen, or the display's own.
