@@ -134,6 +134,13 @@ fn every_display_holds_what_it_is_given() {
 }
 
 #[test]
+fn emulated_devices_take_the_bytes_they_say() {
+    assert!(size_of::<Vga<()>>() <= 850, "{}", size_of::<Vga<()>>());
+    assert!(size_of::<Board<()>>() <= 800, "{}", size_of::<Board<()>>());
+    assert!(size_of::<Workstation<()>>() <= 820, "{}", size_of::<Workstation<()>>());
+}
+
+#[test]
 fn every_display_refuses_what_leaves_it() {
     refuses_what_leaves_it(vga());
     refuses_what_leaves_it(graphigs());

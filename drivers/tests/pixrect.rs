@@ -17,7 +17,7 @@ const fn rect(x: i32, y: i32, w: i32, h: i32) -> Rect {
 /// A memory pixrect with a value of its own at every pixel, from `base` up.
 fn numbered(width: u32, height: u32, base: u8) -> Mem {
     let mut pr = blank(width, height, 8);
-    for (value, (x, y)) in (base..).zip(all(width, height)) {
+    for (value, (x, y)) in (base..=255).chain(0..=255).zip(all(width, height)) {
         pr.pr_put(x, y, value).unwrap();
     }
     pr
@@ -37,8 +37,11 @@ fn pixels(pr: &mut impl Pixrect) -> Vec<u8> {
     all(width, height).map(|(x, y)| pr.pr_get(x, y).unwrap()).collect()
 }
 
+/// A function of a source byte and a destination byte.
+type Function = fn(u8, u8) -> u8;
+
 /// The sixteen functions, by their expressions and by what they do.
-fn functions() -> [(PixOp, fn(u8, u8) -> u8); 16] {
+fn functions() -> [(PixOp, Function); 16] {
     [
         (PIX_CLR, |_, _| 0),
         (!(PIX_SRC | PIX_DST), |s, d| !(s | d)),
@@ -307,18 +310,11 @@ fn the_colormap_is_loaded_in_words_of_whole_groups() {
     let start = screen.bus().1.len();
     // Entries 3 to 6 are in two groups of four: 0 to 3 and 4 to 7.
     screen.pr_putcolormap(3, &[1, 4, 7, 10], &[2, 5, 8, 11], &[3, 6, 9, 12]).unwrap();
-    let did = [
-        (0, 0),
-        (4, 0),
-        (4, 0),
-        (4, 0x00_01_02_03),
-        (4, 0x04_05_06_07),
-        (4, 0x08_09_0A_0B),
-        (4, 0x0C_00_00_00),
-    ];
+    let did =
+        [(0, 0), (4, 0), (4, 0), (4, 0x0001_0203), (4, 0x0405_0607), (4, 0x0809_0A0B), (4, 0x0C00_0000)];
     assert_eq!(screen.bus().1[start..], did);
     screen.pr_putcolormap(255, &[20], &[21], &[22]).unwrap();
-    assert_eq!(screen.bus().1[start + did.len()..], [(0, 252), (4, 0), (4, 0), (4, 0x00_14_15_16)]);
+    assert_eq!(screen.bus().1[start + did.len()..], [(0, 252), (4, 0), (4, 0), (4, 0x0014_1516)]);
     screen.pr_put(1151, 899, 255).unwrap();
     assert_eq!(screen.bus().0.monitor().unwrap().pixel(1151, 899), Some(Rgb::new(20, 21, 22)));
 

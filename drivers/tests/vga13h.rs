@@ -216,6 +216,11 @@ fn the_pel_mask_is_applied_on_the_way_to_the_screen() {
 #[test]
 fn the_attribute_flip_flop_and_its_lock() {
     let mut machine = vga();
+    machine.out8(0x3C0, 0x03);
+    machine.in8(0x3DA); // not there yet: the status register is at 3BAh, so the next write is data
+    machine.out8(0x3C0, 0x09);
+    assert_eq!((machine.in8(0x3C0), machine.in8(0x3C1)), (0x03, 0x09));
+    machine.out8(0x3C2, 0x63);
     machine.out8(0x3C0, 0x03); // index
     machine.out8(0x3C0, 0x2A); // data
     machine.out8(0x3C0, 0x04); // index again
