@@ -22,7 +22,7 @@ pub const RETRACE_PERIOD: u8 = 8;
 /// Bytes of the window at A0000h.
 pub const MEMORY_SIZE: usize = 0x1_0000;
 
-/// An emulated VGA with borrowed (or otherwise lent) memory. Takes 850 bytes besides.
+/// An emulated VGA with borrowed (or otherwise lent) memory. Takes about 850 bytes besides.
 #[derive(Clone, Debug)]
 pub struct Vga<M> {
     memory: M,
