@@ -1,1 +1,5 @@
-//! placeholder
+//! What holds rta together: an independent oracle, generated scenes, and how pictures are compared.
+
+pub mod oracle;
+pub mod picture;
+pub mod random_scenes;

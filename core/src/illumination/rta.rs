@@ -28,6 +28,9 @@ impl<S: Scalar> Illumination<S> for Rta {
     type Weight = Rgb<S::Unit>;
 
     fn ambient<N: Needs>(&self, surface: &Surface<S>, ambient: Rgb<S::Light>) -> Rgb<S::Light> {
+        if !Illumination::<S>::is_lit(self, surface) {
+            return Rgb::BLACK;
+        }
         let (base, slope) = (S::Unit::ratio(AMBIENT_BASE.0, AMBIENT_BASE.1), S::Unit::ratio(AMBIENT_SLOPE.0, AMBIENT_SLOPE.1));
         let factor = surface.normal.z().times(slope) + base;
         ambient.zip(surface.color, |light, color| light.times(color.times(factor)))

@@ -1,0 +1,406 @@
+//! Scenes that are hard on a tracer and yet fair: no coincident surfaces, all within 50 units of the origin, lamps
+//! that leave most of the picture between black and white, and nothing that Q16.16 lengths cannot hold.
+//!
+//! They come from a seeded generator and are the same each time.
+
+use core::f64::consts::TAU;
+
+use rta_scenes::description::{Camera, Cylinder, Description, Ellipsoid, Floor, Lamp, Sky, Sphere, Surface};
+
+/// Every scene with its name.
+#[must_use]
+pub fn all() -> Vec<(&'static str, Description)> {
+    vec![
+        ("every-type", every_type()),
+        ("glass-in-glass", glass_in_glass()),
+        ("eye-in-glass", eye_in_glass()),
+        ("many-lamps", many_lamps()),
+        ("straight-down", straight_down()),
+        ("straight-up", straight_up()),
+        ("mirror-cylinders", mirror_cylinders()),
+        ("glass-cylinders", glass_cylinders()),
+        ("glass-ellipsoids", glass_ellipsoids()),
+        ("lamps", lamps()),
+        ("overlapping", overlapping()),
+        ("below-the-floor", below_the_floor()),
+        ("inside-an-ellipsoid", inside_an_ellipsoid()),
+        ("crowd-1", crowd(1)),
+        ("crowd-2", crowd(2)),
+    ]
+}
+
+/// Fifty objects of every kind and type before the observer, large and small, none of them within another's way by
+/// intent, with three lamps; another scene for each seed.
+#[must_use]
+pub fn crowd(seed: u64) -> Description {
+    let mut dice = Dice::new(seed);
+    let mut scene = ground([0.0, -22.0, 7.0], [0.0, 1.0, -0.22]);
+    for kind in 0..50 {
+        let radius = dice.between(0.25, 1.6);
+        let x = dice.between(-11.0, 11.0);
+        let y = dice.between(-12.0, 16.0);
+        let position = [x, y, radius * dice.between(0.6, 4.0)];
+        let (color, surface) = (dice.color(), dice.surface());
+        match kind % 10 {
+            0 => scene.cylinders.push(cylinder([x, y], radius / 4.0, color, surface)),
+            1..4 => {
+                let radii = [radius, radius * dice.between(0.4, 1.2), radius * dice.between(0.4, 1.2)];
+                scene.ellipsoids.push(ellipsoid(position, radii, color, surface));
+            }
+            _ => scene.spheres.push(sphere(position, radius, color, surface)),
+        }
+    }
+    scene.lamps = vec![
+        lamp([-18.0, -20.0, 24.0], [420.0, 400.0, 360.0], 1.0),
+        lamp([20.0, -10.0, 15.0], [90.0, 100.0, 140.0], 0.8),
+        lamp([2.0, 25.0, 12.0], [80.0, 60.0, 40.0], 0.6),
+    ];
+    scene
+}
+
+/// Rows of spheres, ellipsoids and cylinders, columns of the four types.
+fn every_type() -> Description {
+    let mut dice = Dice::new(11);
+    let mut scene = ground([0.0, -13.0, 4.5], [0.0, 1.0, -0.25]);
+    for (column, surface) in
+        [Surface::Opaque, Surface::Shiny, Surface::Mirror, glass(0.1, 1.5)].into_iter().enumerate()
+    {
+        let x = 2.6 * column as f64 - 3.9;
+        scene.spheres.push(sphere([x, -3.0, 1.0], 1.0, dice.color(), surface));
+        scene.ellipsoids.push(ellipsoid([x, 0.7, 1.3], [1.0, 0.7, 1.3], dice.color(), surface));
+        scene.cylinders.push(cylinder([x + 0.3, 5.0], 0.5, dice.color(), surface));
+    }
+    scene
+}
+
+/// Glass around bubbles around glass around something solid.
+fn glass_in_glass() -> Description {
+    let mut dice = Dice::new(12);
+    let mut scene = ground([0.0, -9.0, 3.0], [0.0, 1.0, -0.12]);
+    let white = [0.95; 3];
+    for (radius, surface) in
+        [(2.0, glass(0.05, 1.5)), (1.5, glass(0.05, 0.75)), (1.0, glass(0.05, 1.4)), (0.5, Surface::Shiny)]
+    {
+        let color = if surface == Surface::Shiny { [0.9, 0.3, 0.1] } else { white };
+        scene.spheres.push(sphere([-1.6, 0.0, 2.1], radius, color, surface));
+    }
+    // Off centre, two bubbles in one sphere.
+    scene.spheres.push(sphere([2.6, -0.5, 1.6], 1.5, white, glass(0.1, 1.33)));
+    scene.spheres.push(sphere([2.2, -0.7, 1.9], 0.5, white, glass(0.1, 1.0 / 1.33)));
+    scene.spheres.push(sphere([3.1, -0.4, 1.2], 0.4, white, Surface::Mirror));
+    for index in 0..5 {
+        let x = 3.0 * f64::from(index) - 6.0;
+        scene.spheres.push(sphere([x, 6.0, 1.0], 1.0, dice.color(), Surface::Opaque));
+    }
+    scene
+}
+
+/// The observer sits off the centre of a glass sphere that is among others.
+fn eye_in_glass() -> Description {
+    let mut dice = Dice::new(13);
+    let mut scene = ground([0.4, -5.8, 2.7], [0.05, 1.0, -0.1]);
+    scene.spheres.push(sphere([0.0, -6.0, 2.5], 2.0, [0.9; 3], glass(0.1, 1.2)));
+    for index in 0..7 {
+        let angle = f64::from(index) * TAU / 7.0;
+        let position = [5.5 * angle.cos(), 5.5 * angle.sin(), 1.2];
+        scene.spheres.push(sphere(position, 1.2, dice.color(), dice.solid()));
+    }
+    scene
+}
+
+/// Twenty coloured lamps in a ring, some seen.
+fn many_lamps() -> Description {
+    let mut dice = Dice::new(14);
+    let mut scene = ground([0.0, -16.0, 8.0], [0.0, 1.0, -0.42]);
+    scene.lamps.clear();
+    for index in 0..20 {
+        let angle = f64::from(index) * TAU / 20.0;
+        let position = [9.0 * angle.cos(), 9.0 * angle.sin(), dice.between(3.0, 7.0)];
+        let color = dice.color().map(|part| 7.0 * part);
+        scene.lamps.push(lamp(position, color, if index % 3 == 0 { 0.0 } else { 2.5 }));
+    }
+    // Lamps of that size hide each other: keep the ones that are seen small but bright.
+    scene.lamps.iter_mut().for_each(|lamp| lamp.radius *= 0.14);
+    for _ in 0..14 {
+        let radius = dice.between(0.4, 1.1);
+        let position = [dice.between(-6.0, 6.0), dice.between(-5.0, 6.0), radius * 1.3];
+        scene.spheres.push(sphere(position, radius, dice.color(), dice.surface()));
+    }
+    scene
+}
+
+/// The direction of view is parallel to the zenith, downwards.
+fn straight_down() -> Description {
+    let mut dice = Dice::new(15);
+    let mut scene = ground([0.5, 0.25, 18.0], [0.0, 0.0, -3.0]);
+    scatter(&mut scene, &mut dice, 18, [-7.0, 7.0], [-5.0, 5.0], [0.8, 6.0]);
+    scene.cylinders.push(cylinder([-3.0, 2.0], 0.8, dice.color(), Surface::Opaque));
+    scene.cylinders.push(cylinder([3.5, -2.5], 1.0, dice.color(), Surface::Mirror));
+    scene.cylinders.push(cylinder([3.0, 3.0], 1.0, [0.9; 3], glass(0.1, 1.5)));
+    scene
+}
+
+/// The direction of view is parallel to the zenith, upwards.
+fn straight_up() -> Description {
+    let mut dice = Dice::new(16);
+    let mut scene = ground([0.5, 0.25, 1.0], [0.0, 0.0, 0.5]);
+    scatter(&mut scene, &mut dice, 18, [-7.0, 7.0], [-5.0, 5.0], [8.0, 20.0]);
+    scene.cylinders.push(cylinder([-3.0, 2.0], 0.8, dice.color(), Surface::Opaque));
+    scene.lamps = vec![lamp([6.0, -5.0, 3.0], [90.0, 90.0, 80.0], 0.3), lamp([-2.0, 0.5, 30.0], [60.0; 3], 1.0)];
+    scene
+}
+
+/// A ring of columns, every other one a mirror, with things between them.
+fn mirror_cylinders() -> Description {
+    let mut dice = Dice::new(17);
+    let mut scene = ground([0.0, -11.0, 3.0], [0.0, 1.0, -0.1]);
+    for index in 0..10 {
+        let angle = (f64::from(index) + 0.5) * TAU / 10.0;
+        let center = [7.0 * angle.sin(), 7.0 * angle.cos()];
+        let surface = if index % 2 == 0 { Surface::Mirror } else { dice.solid() };
+        scene.cylinders.push(cylinder(center, 1.0, dice.color(), surface));
+    }
+    scatter(&mut scene, &mut dice, 8, [-4.0, 4.0], [-4.0, 4.0], [0.6, 3.0]);
+    scene.lamps = vec![lamp([0.0, -4.0, 10.0], [70.0, 66.0, 60.0], 0.5), lamp([1.0, 4.0, 6.0], [20.0; 3], 0.0)];
+    scene
+}
+
+/// Columns of glass, water and air, one within another, before solid things.
+fn glass_cylinders() -> Description {
+    let mut dice = Dice::new(18);
+    let mut scene = ground([0.0, -10.0, 3.0], [0.0, 1.0, -0.15]);
+    let indices = [(0.05, 1.5), (0.3, 1.33), (0.1, 0.8), (0.0, 1.0), (0.2, 2.4)];
+    for (column, (ks, ior)) in indices.into_iter().enumerate() {
+        let x = 2.2 * column as f64 - 4.4;
+        scene.cylinders.push(cylinder([x, -1.0], 0.8, [0.9, 0.95, 0.9], glass(ks, ior)));
+    }
+    scene.cylinders.push(cylinder([-4.3, -1.1], 0.4, [0.9; 3], glass(0.05, 1.0 / 1.5)));
+    for index in 0..8 {
+        let x = 2.0 * f64::from(index) - 7.0;
+        scene.spheres.push(sphere([x, 4.0, 1.5], 0.8, dice.color(), dice.solid()));
+    }
+    scene
+}
+
+/// Lenses, needles and bubbles.
+fn glass_ellipsoids() -> Description {
+    let mut dice = Dice::new(19);
+    let mut scene = ground([0.0, -10.0, 3.2], [0.0, 1.0, -0.17]);
+    for (x, z, radii, ks, ior) in [
+        (-4.2, 1.6, [1.4, 0.4, 1.4], 0.05, 1.5),
+        (-1.4, 1.7, [0.5, 0.5, 1.6], 0.2, 1.33),
+        (0.9, 1.2, [1.2, 1.2, 0.5], 0.1, 1.8),
+        (3.6, 1.5, [1.2, 0.8, 1.4], 0.1, 0.7),
+        (0.8, 3.2, [0.8, 0.6, 0.7], 0.4, 0.9),
+    ] {
+        scene.ellipsoids.push(ellipsoid([x, -1.0, z], radii, [0.95, 0.95, 0.9], glass(ks, ior)));
+    }
+    for index in 0..8 {
+        let (x, color, surface) = (2.0 * f64::from(index) - 7.0, dice.color(), dice.solid());
+        scene.ellipsoids.push(ellipsoid([x, 4.0, 1.5], [0.8, 0.6, 1.2], color, surface));
+    }
+    scene
+}
+
+/// Lamps that are seen, that are not, in glass, in a solid, below the floor and in a mirror.
+fn lamps() -> Description {
+    let mut scene = ground([0.0, -13.0, 4.0], [0.0, 1.0, -0.15]);
+    scene.lamps = vec![
+        lamp([-4.0, 0.0, 3.0], [9.0, 7.0, 3.0], 0.7),
+        lamp([4.0, 1.0, 4.0], [5.0, 7.0, 12.0], 0.0),
+        lamp([0.0, 2.0, 2.0], [8.0, 3.0, 3.0], 0.4),
+        lamp([2.0, -4.0, 1.0], [30.0, 30.0, 30.0], 0.3),
+        lamp([0.0, -2.0, -3.0], [50.0, 50.0, 50.0], 1.0),
+        lamp([0.0, -12.0, 14.0], [60.0, 60.0, 60.0], 1.5),
+    ];
+    // The third lamp shines out of glass, the fourth is shut into a solid.
+    scene.spheres = vec![
+        sphere([0.1, 2.1, 2.1], 1.5, [0.9; 3], glass(0.1, 1.1)),
+        sphere([2.0, -4.0, 1.1], 0.8, [0.8, 0.5, 0.3], Surface::Shiny),
+        sphere([-3.0, -4.0, 1.2], 1.2, [0.9, 0.9, 1.0], Surface::Mirror),
+        sphere([5.0, -2.0, 1.0], 1.0, [0.4, 0.8, 0.4], Surface::Opaque),
+        sphere([-7.0, 1.0, 1.5], 1.0, [0.8, 0.3, 0.6], Surface::Shiny),
+    ];
+    scene.ellipsoids = vec![ellipsoid([0.0, 7.0, 3.0], [5.0, 0.5, 2.5], [0.8; 3], Surface::Mirror)];
+    scene
+}
+
+/// Objects that go through each other and through the floor.
+fn overlapping() -> Description {
+    let mut dice = Dice::new(21);
+    let mut scene = ground([0.0, -12.0, 5.0], [0.0, 1.0, -0.35]);
+    for x in [-5.0, -1.7, 1.7, 5.0] {
+        for part in 0..4 {
+            let position = [x + dice.between(-0.7, 0.7), dice.between(-0.7, 0.7), dice.between(-0.3, 2.0)];
+            let (color, surface) = (dice.color(), dice.surface());
+            if part % 2 == 0 {
+                scene.spheres.push(sphere(position, dice.between(0.7, 1.2), color, surface));
+            } else {
+                let radii = [dice.between(0.5, 1.5), dice.between(0.5, 1.5), dice.between(0.5, 1.5)];
+                scene.ellipsoids.push(ellipsoid(position, radii, color, surface));
+            }
+        }
+        scene.cylinders.push(cylinder([x + 0.2, 0.3], 0.3, dice.color(), dice.surface()));
+    }
+    scene
+}
+
+/// The observer and most objects are under the floor.
+fn below_the_floor() -> Description {
+    let mut dice = Dice::new(22);
+    let mut scene = ground([0.0, -13.0, -5.0], [0.0, 1.0, 0.2]);
+    scatter(&mut scene, &mut dice, 16, [-6.0, 6.0], [-4.0, 6.0], [-6.0, 1.0]);
+    scene.cylinders.push(cylinder([5.5, 6.0], 0.7, dice.color(), Surface::Mirror));
+    scene.lamps = vec![lamp([-7.0, -11.0, -9.0], [150.0, 140.0, 130.0], 1.0), lamp([0.0, 0.0, 8.0], [90.0; 3], 0.5)];
+    scene
+}
+
+/// All is inside one great ellipsoid, whose inner side is seen and lit.
+fn inside_an_ellipsoid() -> Description {
+    let mut dice = Dice::new(23);
+    let mut scene = ground([0.0, -12.0, 4.0], [0.0, 1.0, -0.08]);
+    scene.ellipsoids.push(ellipsoid([0.0, 0.0, 2.0], [14.0, 17.0, 11.0], [0.7, 0.7, 0.8], Surface::Shiny));
+    scatter(&mut scene, &mut dice, 14, [-7.0, 7.0], [-5.0, 8.0], [0.6, 5.0]);
+    scene.lamps = vec![lamp([-5.0, -6.0, 9.0], [70.0, 66.0, 60.0], 0.0), lamp([7.0, 0.0, 6.0], [16.0; 3], 0.5)];
+    scene
+}
+
+/// An empty floor with a sky and two lamps, seen from `eye`.
+fn ground(eye: [f64; 3], view: [f64; 3]) -> Description {
+    Description {
+        camera: Camera { eye, view, focal: 1.0 },
+        cylinders: Vec::new(),
+        ellipsoids: Vec::new(),
+        spheres: Vec::new(),
+        lamps: vec![
+            lamp([-9.0, -14.0, 13.0], [180.0, 175.0, 160.0], 0.8),
+            lamp([10.0, -6.0, 9.0], [40.0, 45.0, 60.0], 0.5),
+        ],
+        floor: Some(Floor { colors: [[0.85, 0.8, 0.7], [0.2, 0.25, 0.35]] }),
+        ambient: [0.3, 0.3, 0.32],
+        sky: Sky { horizon: [0.75, 0.8, 0.9], zenith: [0.15, 0.3, 0.65] },
+    }
+}
+
+/// Adds `count` spheres and ellipsoids of every type within the given bounds.
+fn scatter(scene: &mut Description, dice: &mut Dice, count: u32, x: [f64; 2], y: [f64; 2], z: [f64; 2]) {
+    for index in 0..count {
+        let position = [x, y, z].map(|[least, most]| dice.between(least, most));
+        let (color, surface) = (dice.color(), dice.surface());
+        if index % 3 == 0 {
+            let radii = [dice.between(0.4, 1.3), dice.between(0.4, 1.3), dice.between(0.4, 1.3)];
+            scene.ellipsoids.push(ellipsoid(position, radii, color, surface));
+        } else {
+            scene.spheres.push(sphere(position, dice.between(0.4, 1.2), color, surface));
+        }
+    }
+}
+
+fn sphere(position: [f64; 3], radius: f64, color: [f64; 3], surface: Surface) -> Sphere {
+    Sphere { position, color, radius, surface, line: 0 }
+}
+
+fn ellipsoid(position: [f64; 3], radii: [f64; 3], color: [f64; 3], surface: Surface) -> Ellipsoid {
+    Ellipsoid { position, color, radii, surface, line: 0 }
+}
+
+fn cylinder([x, y]: [f64; 2], radius: f64, color: [f64; 3], surface: Surface) -> Cylinder {
+    Cylinder { position: [x, y, 0.0], color, radius, surface, line: 0 }
+}
+
+fn lamp(position: [f64; 3], color: [f64; 3], radius: f64) -> Lamp {
+    Lamp { position, color, radius, line: 0 }
+}
+
+fn glass(ks: f64, ior: f64) -> Surface {
+    Surface::Transparent { ks, kt: 1.0 - ks, ior }
+}
+
+/// The seeded generator. Values are rounded to thousandths, so that a scene written to a file stays readable.
+struct Dice(fastrand::Rng);
+
+impl Dice {
+    fn new(seed: u64) -> Self {
+        Self(fastrand::Rng::with_seed(seed))
+    }
+
+    fn between(&mut self, least: f64, most: f64) -> f64 {
+        ((least + (most - least) * self.0.f64()) * 1000.0).round() / 1000.0
+    }
+
+    fn color(&mut self) -> [f64; 3] {
+        [self.between(0.2, 0.95), self.between(0.2, 0.95), self.between(0.2, 0.95)]
+    }
+
+    /// Opaque, shiny or a mirror.
+    fn solid(&mut self) -> Surface {
+        match self.0.u8(0..3) {
+            0 => Surface::Opaque,
+            1 => Surface::Shiny,
+            _ => Surface::Mirror,
+        }
+    }
+
+    /// Any of the four types.
+    fn surface(&mut self) -> Surface {
+        if self.0.u8(0..4) == 0 {
+            let ks = self.between(0.0, 0.4);
+            glass(ks, self.between(0.7, 2.0))
+        } else {
+            self.solid()
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{all, crowd};
+    use crate::oracle::render;
+    use rta_scenes::dat;
+    use rta_scenes::description::Surface;
+
+    #[test]
+    fn they_are_the_same_each_time_and_pass_through_a_file() {
+        for ((name, scene), (_, again)) in all().into_iter().zip(all()) {
+            assert_eq!(scene, again, "{name}");
+            let text = scene.to_dat().expect("it has a floor");
+            let read = dat::read(text.as_bytes(), name).unwrap_or_else(|error| panic!("{error}"));
+            assert_eq!(read.without_lines(), scene);
+        }
+        assert_ne!(crowd(1), crowd(2));
+    }
+
+    #[test]
+    fn between_them_they_hold_every_type_of_every_primitive() {
+        let kind = |surface: &Surface| match surface {
+            Surface::Opaque => 0,
+            Surface::Shiny => 1,
+            Surface::Mirror => 2,
+            Surface::Transparent { ior, .. } if *ior < 1.0 => 4,
+            Surface::Transparent { .. } => 3,
+        };
+        let mut seen = std::collections::BTreeSet::new();
+        for (_, scene) in all() {
+            seen.extend(scene.cylinders.iter().map(|object| (0, kind(&object.surface))));
+            seen.extend(scene.ellipsoids.iter().map(|object| (1, kind(&object.surface))));
+            seen.extend(scene.spheres.iter().map(|object| (2, kind(&object.surface))));
+        }
+        assert_eq!(seen.len(), 15, "{seen:?}");
+    }
+
+    #[test]
+    fn they_are_of_moderate_size_and_brightness() {
+        for (name, scene) in all() {
+            let places = scene.spheres.iter().map(|object| object.position);
+            let places = places.chain(scene.ellipsoids.iter().map(|object| object.position));
+            let places = places.chain(scene.cylinders.iter().map(|object| object.position));
+            let mut places = places.chain(scene.lamps.iter().map(|lamp| lamp.position)).chain([scene.camera.eye]);
+            assert!(places.all(|place| place.iter().all(|part| part.abs() <= 50.0)), "{name}");
+            let picture = render(&scene, 80, 60, 4.0 / 3.0, 5);
+            let mean = picture.iter().flatten().map(|part| part.min(1.0)).sum::<f64>() / (80.0 * 60.0 * 3.0);
+            let full = picture.iter().flatten().filter(|part| **part >= 1.0).count();
+            assert!((0.15..0.75).contains(&mean), "{name}: mean {mean}");
+            assert!(full < 80 * 60 * 3 / 5, "{name}: {full} registers are full");
+        }
+    }
+}
