@@ -38,7 +38,7 @@ pub enum Command {
     /// Show a scene in a window, on the screen of a device
     ///
     /// The picture fills in as it is traced. Keys: D next device, M next illumination model, F next number
-    /// format, T other colour table, + and - (or up and down) depth, R trace again, S save as a PNG in the current
+    /// format, T next colour table, + and - (or up and down) depth, R trace again, S save as a PNG in the current
     /// folder, H or F1 these keys, Esc or Q leave.
     ///
     /// With no display (neither DISPLAY nor WAYLAND_DISPLAY, or no window to be had) the picture is written as a

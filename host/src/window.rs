@@ -23,7 +23,7 @@ pub const KEYS: &str = "\
 D         next device: vga, graphigs, pixrect
 M         next illumination model
 F         next number format
-T         other colour table: adaptive, uniform
+T         next colour table: adaptive, tolerant, uniform
 + -       more or fewer reflections (also up and down)
 R         trace again
 S         save what the device shows as a PNG in the current folder

@@ -223,7 +223,7 @@ fn a_device_gives_an_indexed_png_with_its_own_colours() {
         ("graphigs", 1024, 1024, 128, 15, None),
         ("pixrect", 1152, 900, 256, 255, None),
     ] {
-        for table in ["adaptive", "uniform"] {
+        for table in ["adaptive", "tolerant", "uniform"] {
             let path = folder.path("out.png");
             folder.renders(&["scene.dat", "-o", "out.png", "--device", device, "--table", table]);
             let mut reader = decoder(&path);
