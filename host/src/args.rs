@@ -19,7 +19,7 @@ Examples:
   rta render hall-22.dat -o hall.pfm --device none --size 640x480
   rta render - -o - --device none --as ppm <hall-22.dat | pnmtopng >hall.png
 
-Status: 0 if all went well, 2 after any error.";
+Status: 0 if all went well, 2 after any error, 130 if interrupted.";
 
 /// A Whitted ray tracer in fixed point and float, on the displays of 1990
 ///
