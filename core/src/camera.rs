@@ -24,7 +24,11 @@ impl<U: Unit> Lens<U> {
         let width = n(denominator) * n(aspect.0);
         let height = n(denominator) * n(aspect.1);
         let largest = focal.max(width).max(height);
-        Self { focal: U::ratio(focal, largest), width: U::ratio(width, largest), height: U::ratio(height, largest) }
+        Self {
+            focal: U::ratio(focal, largest),
+            width: U::ratio(width, largest),
+            height: U::ratio(height, largest),
+        }
     }
 }
 
@@ -49,7 +53,12 @@ impl<S: Scalar> Camera<S> {
         let forward = unit(view).unwrap_or(UnitVec3::<S>::Y);
         let right = unit(forward.cross(UnitVec3::<S>::Z)).unwrap_or(UnitVec3::<S>::X);
         let up = right.cross(forward);
-        Self { eye, forward: forward.scale(lens.focal), right: right.scale(lens.width), up: up.scale(lens.height) }
+        Self {
+            eye,
+            forward: forward.scale(lens.focal),
+            right: right.scale(lens.width),
+            up: up.scale(lens.height),
+        }
     }
 
     /// Direction of the ray through a place of the image plane: `x` and `y` from -1/2, left and bottom, to 1/2.

@@ -79,7 +79,9 @@ impl<'a, S: Scalar> Scene<'a, S> {
         let check = |object, place: Vec3<S>, radius: S, color: Rgb<S::Unit>| {
             let fits = |c: S| c <= S::WORLD - radius && c >= radius - S::WORLD;
             let is_negative = |c: S::Unit| c < S::Unit::ZERO;
-            let quantity = if radius < S::ZERO || (radius == S::ZERO && !matches!(object, None | Some(Object::Lamp(_) | Object::Floor))) {
+            let quantity = if radius < S::ZERO
+                || (radius == S::ZERO && !matches!(object, None | Some(Object::Lamp(_) | Object::Floor)))
+            {
                 Quantity::Radius
             } else if radius > S::WORLD || !fits(place.x()) || !fits(place.y()) || !fits(place.z()) {
                 Quantity::Position
@@ -97,7 +99,12 @@ impl<'a, S: Scalar> Scene<'a, S> {
         }
         for (i, e) in self.ellipsoids.iter().enumerate() {
             let zero_radius = !(e.radii.x() > S::ZERO && e.radii.y() > S::ZERO && e.radii.z() > S::ZERO);
-            check(Some(Object::Ellipsoid(i)), e.center, if zero_radius { S::ZERO } else { e.extent }, e.color)?;
+            check(
+                Some(Object::Ellipsoid(i)),
+                e.center,
+                if zero_radius { S::ZERO } else { e.extent },
+                e.color,
+            )?;
         }
         for (i, s) in self.spheres.iter().enumerate() {
             check(Some(Object::Sphere(i)), s.center, s.radius, s.color)?;

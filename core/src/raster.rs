@@ -68,7 +68,12 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize> Pixels<'a,
     }
 
     /// The pixels of one row, 0 at the top.
-    pub fn row(tracer: &'a Tracer<'a, S, M, N, STACK>, camera: &'a Camera<S>, raster: Raster, y: u32) -> Self {
+    pub fn row(
+        tracer: &'a Tracer<'a, S, M, N, STACK>,
+        camera: &'a Camera<S>,
+        raster: Raster,
+        y: u32,
+    ) -> Self {
         Self::rows(tracer, camera, raster, y, y.saturating_add(1))
     }
 
@@ -109,4 +114,7 @@ impl<S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize> Iterator for P
     }
 }
 
-impl<S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize> FusedIterator for Pixels<'_, S, M, N, STACK> {}
+impl<S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize> FusedIterator
+    for Pixels<'_, S, M, N, STACK>
+{
+}

@@ -28,7 +28,16 @@ pub use fixed::{Q16, Radiance};
 
 /// A length: coordinates, radii, distances, in the scene's unit.
 pub trait Scalar:
-    Copy + Debug + PartialEq + PartialOrd + Add<Output = Self> + Sub<Output = Self> + Neg<Output = Self> + Send + Sync + 'static
+    Copy
+    + Debug
+    + PartialEq
+    + PartialOrd
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Neg<Output = Self>
+    + Send
+    + Sync
+    + 'static
 {
     /// A component of a unit vector, a cosine, a coefficient: at least [-1.99, 1.99].
     type Unit: Unit;
@@ -85,7 +94,16 @@ pub trait Scalar:
 
 /// A number whose size is about one: a cosine, a weight, a reflectance.
 pub trait Unit:
-    Copy + Debug + PartialEq + PartialOrd + Add<Output = Self> + Sub<Output = Self> + Neg<Output = Self> + Send + Sync + 'static
+    Copy
+    + Debug
+    + PartialEq
+    + PartialOrd
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Neg<Output = Self>
+    + Send
+    + Sync
+    + 'static
 {
     /// The reciprocal of a number in ]0, 2[.
     type Inverse: Copy + Debug + PartialEq + Send + Sync;

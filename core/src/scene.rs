@@ -104,7 +104,9 @@ impl<S: Scalar> Scene<'_, S> {
                 hit = Some(Hit { distance, object });
             }
         };
-        if N::FLOOR && let Some(floor) = &self.floor {
+        if N::FLOOR
+            && let Some(floor) = &self.floor
+        {
             found(floor.intersect(ray), Object::Floor, &mut t_max);
         }
         if N::CYLINDERS {
@@ -125,7 +127,11 @@ impl<S: Scalar> Scene<'_, S> {
         if N::VISIBLE_LAMPS {
             for (i, lamp) in self.lamps.iter().enumerate() {
                 if lamp.radius > S::ZERO {
-                    found(sphere::intersect(lamp.position, lamp.radius, ray, t_max), Object::Lamp(i), &mut t_max);
+                    found(
+                        sphere::intersect(lamp.position, lamp.radius, ray, t_max),
+                        Object::Lamp(i),
+                        &mut t_max,
+                    );
                 }
             }
         }

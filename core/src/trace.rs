@@ -95,17 +95,16 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize> Tracer<'a,
             Seen::Light(light) => return (light, [None, None]),
             Seen::Surface(surface, extent) => (surface, extent),
         };
-        let outside = surface.point.leave(surface.normal, extent);
         let mut light = self.model.ambient::<N>(&surface, self.scene.ambient);
         if self.model.is_lit(&surface) {
             for lamp in self.scene.lamps {
-                if let Some(incident) = Incident::new(lamp, outside, surface.normal) {
-                    light = light.plus(self.direct(&surface, &incident, outside, extent));
+                if let Some(incident) = Incident::new(lamp, surface.point, surface.normal) {
+                    light = light.plus(self.direct(&surface, &incident, extent));
                 }
             }
         }
         let children = if (N::MIRROR || N::GLASS) && parent.depth < self.depth {
-            self.spawn(&surface, outside, extent, parent)
+            self.spawn(&surface, extent, parent)
         } else {
             [None, None]
         };
@@ -113,7 +112,7 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize> Tracer<'a,
     }
 
     /// What the surface sends back of one lamp.
-    fn direct(&self, surface: &Surface<S>, incident: &Incident<S>, outside: Vec3<S>, extent: S) -> Rgb<S::Light> {
+    fn direct(&self, surface: &Surface<S>, incident: &Incident<S>, extent: S) -> Rgb<S::Light> {
         let behind = incident.cosine <= S::Unit::ZERO;
         if behind && !M::BOTH_SIDES {
             return Rgb::BLACK;
@@ -122,9 +121,10 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize> Tracer<'a,
         if !N::SHADOWS || light == Rgb::BLACK {
             return light;
         }
-        let origin = if behind { surface.point.leave(-surface.normal, extent) } else { outside };
+        let side = if behind { -surface.normal } else { surface.normal };
+        let (origin, used) = surface.point.leave(side, incident.direction, extent);
         let shadow = Ray::new::<N>(origin, incident.direction);
-        let part = self.scene.transmittance::<N>(&shadow, incident.distance);
+        let part = self.scene.transmittance::<N>(&shadow, incident.distance - used);
         if part == S::Unit::ONE { light } else { light.map(|register| register.times(part)) }
     }
 
@@ -132,18 +132,17 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize> Tracer<'a,
     fn spawn(
         &self,
         surface: &Surface<S>,
-        outside: Vec3<S>,
         extent: S,
         parent: &Pending<S, M::Weight>,
     ) -> [Option<Pending<S, M::Weight>>; 2] {
         let secondary = self.model.secondary(surface);
-        let ray = |origin, direction, weight: M::Weight| Pending {
-            origin,
+        let ray = |side, direction, weight: M::Weight| Pending {
+            origin: surface.point.leave(side, direction, extent).0,
             direction,
             weight: parent.weight.compose(weight),
             depth: parent.depth + 1,
         };
-        let mirrored = |weight| ray(outside, surface.incoming.reflect(surface.normal), weight);
+        let mirrored = |weight| ray(surface.normal, surface.incoming.reflect(surface.normal), weight);
         let (Material::Transparent(glass), Some(through)) = (surface.material, secondary.transmitted) else {
             return [secondary.reflected.map(mirrored), None];
         };
@@ -152,8 +151,7 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize> Tracer<'a,
         }
         match refract(surface, glass) {
             Some(direction) => {
-                let inner = surface.point.leave(-surface.normal, extent);
-                [secondary.reflected.map(mirrored), Some(ray(inner, direction, through))]
+                [secondary.reflected.map(mirrored), Some(ray(-surface.normal, direction, through))]
             }
             // Total internal reflection: both rays are one.
             None => [Some(mirrored(secondary.reflected.map_or(through, |w| w.join(through)))), None],

@@ -15,7 +15,15 @@ pub type UnitVec3<S> = <S as Scalar>::UnitVector;
 
 /// Three components.
 pub trait Vector:
-    Copy + Debug + PartialEq + Add<Output = Self> + Sub<Output = Self> + Neg<Output = Self> + Send + Sync + 'static
+    Copy
+    + Debug
+    + PartialEq
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Neg<Output = Self>
+    + Send
+    + Sync
+    + 'static
 {
     /// A length or a component of a unit vector.
     type Component: Copy;
@@ -52,9 +60,31 @@ pub trait LengthVector: Vector {
     /// Direction, length and reciprocal of the length; nothing for the zero vector.
     #[allow(clippy::type_complexity)] // three values that cost one reciprocal square root together
     fn normalize(self) -> Option<(UnitVec3<Self::Scalar>, Self::Scalar, <Self::Scalar as Scalar>::Inverse)>;
-    /// A place on a surface, pushed off it along the normal by more than the place can be wrong, so that a ray which
-    /// starts there does not meet the surface again. `extent` is the size of the object.
-    fn leave(self, normal: UnitVec3<Self::Scalar>, extent: Self::Scalar) -> Self;
+    /// Where a ray starts that leaves a surface at the place `self`: pushed off by more than the place can be wrong, so
+    /// that it does not meet the surface again; and how much of the ray that uses up, with what its end can be wrong.
+    ///
+    /// The start stays on the ray as long as that is not too flat, since a mirror magnifies a sideways step; a flat one
+    /// is pushed off along the `normal`, which is on the ray's side. `extent` is the size of the object.
+    fn leave(
+        self,
+        normal: UnitVec3<Self::Scalar>,
+        direction: UnitVec3<Self::Scalar>,
+        extent: Self::Scalar,
+    ) -> (Self, Self::Scalar) {
+        let ratio = <Self::Scalar as Scalar>::Unit::ratio;
+        let (step, most) = self.clearance(extent);
+        let cosine = normal.dot(direction);
+        let start = if cosine >= ratio(1, 2) {
+            self.along(direction, step + step)
+        } else if cosine >= ratio(1, 4) {
+            self.along(direction, step + step + step + step)
+        } else {
+            self.along(normal, step)
+        };
+        (start, most)
+    }
+    /// How far a place on a surface of that extent is to be pushed off it; and six times that.
+    fn clearance(self, extent: Self::Scalar) -> (Self::Scalar, Self::Scalar);
     /// `x * ex + y * ey`: the dot product in the ground plan.
     fn dot_plan(self, plan: Plan<Self::Scalar>) -> Self::Scalar;
     /// `x * ey - y * ex`: how far the ray of that plan passes by `self`, with a sign.
@@ -87,6 +117,12 @@ pub trait UnitVector: Vector<Component: Unit> {
     fn plus(self, other: Self, factor: Self::Component) -> Self;
     /// The unit vector along a vector of any length below 2, and the reciprocal of that length; nothing for zero.
     fn normalize(self) -> Option<(Self, <Self::Component as Unit>::Inverse)>;
+    /// A vector whose length is 1 but for some roundings, with length 1 but for one: a step of Newton's iteration. What
+    /// is not mended here grows with each reflection, up to five times.
+    fn tighten(self) -> Self {
+        let excess = self.dot(self) - Self::Component::ONE;
+        self.plus(self, excess.times(Self::Component::ratio(-1, 2)))
+    }
     /// The reflection `self - 2 (self . normal) normal` (Whitted 1980).
     fn reflect(self, normal: Self) -> Self;
     /// The unit vector halfway between two directions (Blinn's H); nothing for opposite ones.

@@ -2,6 +2,7 @@
 
 use core::fmt;
 
+use rta_core::Scalar;
 use rta_core::camera::{Camera, Lens};
 use rta_core::color::Rgb;
 use rta_core::light::Lamp;
@@ -9,7 +10,6 @@ use rta_core::material::{Glass, Material};
 use rta_core::scene::{Scene, Sky};
 use rta_core::shape::{Cylinder, Ellipsoid, Floor, Sphere};
 use rta_core::vector::{Vec3, Vector};
-use rta_core::Scalar;
 
 use crate::description::{self, Description, Surface};
 
@@ -197,7 +197,8 @@ fn lamp<S: Narrow>(index: usize, lamp: &description::Lamp) -> Result<Lamp<S>, Na
     let radius = if lamp.radius == 0.0 { S::ZERO } else { check.radius(lamp.radius)? };
     let strongest = lamp.color.iter().fold(0.0f64, |most, &register| most.max(register));
     check.at_most("the intensity", strongest, S::LARGEST_POWER)?;
-    let [r, g, b] = lamp.color.map(|register| S::unit(if strongest > 0.0 { register / strongest } else { 0.0 }));
+    let [r, g, b] =
+        lamp.color.map(|register| S::unit(if strongest > 0.0 { register / strongest } else { 0.0 }));
     Ok(Lamp::new(position, radius, <S as Narrow>::power(strongest), Rgb::new(r, g, b)))
 }
 
@@ -209,8 +210,14 @@ pub fn narrow<S: Narrow>(description: &Description, aspect: f64) -> Result<Narro
     let mut cylinders = Vec::with_capacity(description.cylinders.len());
     for (i, c) in description.cylinders.iter().enumerate() {
         let check = Checker::<S>::new("cylinder", i, c.line);
-        let (place, radius) = (check.place([c.position[0], c.position[1], 0.0], c.radius)?, check.radius(c.radius)?);
-        cylinders.push(Cylinder::new(place, radius, check.color("a colour's register", c.color)?, material(&c.surface)));
+        let (place, radius) =
+            (check.place([c.position[0], c.position[1], 0.0], c.radius)?, check.radius(c.radius)?);
+        cylinders.push(Cylinder::new(
+            place,
+            radius,
+            check.color("a colour's register", c.color)?,
+            material(&c.surface),
+        ));
     }
     let mut ellipsoids = Vec::with_capacity(description.ellipsoids.len());
     for (i, e) in description.ellipsoids.iter().enumerate() {
@@ -232,7 +239,12 @@ pub fn narrow<S: Narrow>(description: &Description, aspect: f64) -> Result<Narro
     for (i, s) in description.spheres.iter().enumerate() {
         let check = Checker::<S>::new("sphere", i, s.line);
         let (place, radius) = (check.place(s.position, s.radius)?, check.radius(s.radius)?);
-        spheres.push(Sphere::new(place, radius, check.color("a colour's register", s.color)?, material(&s.surface)));
+        spheres.push(Sphere::new(
+            place,
+            radius,
+            check.color("a colour's register", s.color)?,
+            material(&s.surface),
+        ));
     }
     let lamps: Result<Vec<_>, _> = description.lamps.iter().enumerate().map(|(i, l)| lamp(i, l)).collect();
     let floor = match &description.floor {
@@ -240,7 +252,9 @@ pub fn narrow<S: Narrow>(description: &Description, aspect: f64) -> Result<Narro
         Some(floor) => {
             let check = Checker::<S>::named("the floor");
             let [even, odd] = floor.colors;
-            Some(Floor { colors: [check.color("a colour's register", even)?, check.color("a colour's register", odd)?] })
+            Some(Floor {
+                colors: [check.color("a colour's register", even)?, check.color("a colour's register", odd)?],
+            })
         }
     };
     Ok(Narrowed {
@@ -285,7 +299,10 @@ mod tests {
             refused(|s| s.spheres[0].radius = 1e-5),
             "sphere 1 (line 8) is out of q16's range: the radius 0.00001, below the smallest 0.000244140625"
         );
-        assert!(refused(|s| s.lamps[1].color[2] = 1e12).starts_with("lamp 2 (line 12) is out of q16's range: the intensity"));
+        assert!(
+            refused(|s| s.lamps[1].color[2] = 1e12)
+                .starts_with("lamp 2 (line 12) is out of q16's range: the intensity")
+        );
         assert!(refused(|s| s.camera.eye[2] = 1e300).starts_with("the observer is out of q16's range: z"));
         assert!(refused(|s| s.sky.zenith[2] = 1e6).starts_with("the zenith is out of q16's range"));
         assert!(refused(|s| s.spheres[0].color[1] = 2.0).contains("beyond the largest 1.99"));

@@ -28,8 +28,11 @@ pub fn render(scene: &Description, width: usize, height: usize, aspect: f64, dep
     let Some(forward) = scene.camera.direction() else { return Vec::new() };
     let oracle = Oracle::new(scene, depth);
     // Of a direction of view that is vertical, "right" is x.
-    let right =
-        if forward[0] == 0.0 && forward[1] == 0.0 { [1.0, 0.0, 0.0] } else { unit(cross(forward, [0.0, 0.0, 1.0])) };
+    let right = if forward[0] == 0.0 && forward[1] == 0.0 {
+        [1.0, 0.0, 0.0]
+    } else {
+        unit(cross(forward, [0.0, 0.0, 1.0]))
+    };
     let up = cross(right, forward);
     let mut picture = Vec::with_capacity(width * height);
     for j in 0..height {
@@ -100,7 +103,13 @@ impl<'a> Oracle<'a> {
             size = size.max(largest(l.position) + l.radius);
             if l.radius > 0.0 {
                 let square = l.radius * l.radius;
-                lamps.push(Quadric::new(l.position, [1.0; 3], -square, scale(1.0 / square, l.color), Surface::Opaque));
+                lamps.push(Quadric::new(
+                    l.position,
+                    [1.0; 3],
+                    -square,
+                    scale(1.0 / square, l.color),
+                    Surface::Opaque,
+                ));
             }
         }
         Self { scene, objects, lamps, size, max_depth }
@@ -186,9 +195,13 @@ impl<'a> Oracle<'a> {
     fn nearest(&self, origin: Vector, direction: Vector) -> Option<Hit> {
         let least = self.least(origin);
         let mut nearest: Option<Hit> = None;
-        let nearer = |t: f64, nearest: &Option<Hit>| t > least && nearest.as_ref().is_none_or(|hit| t < hit.t);
-        for (object, is_lamp) in
-            self.objects.iter().map(|object| (object, false)).chain(self.lamps.iter().map(|lamp| (lamp, true)))
+        let nearer =
+            |t: f64, nearest: &Option<Hit>| t > least && nearest.as_ref().is_none_or(|hit| t < hit.t);
+        for (object, is_lamp) in self
+            .objects
+            .iter()
+            .map(|object| (object, false))
+            .chain(self.lamps.iter().map(|lamp| (lamp, true)))
         {
             for t in object.roots(origin, direction).into_iter().flatten() {
                 if nearer(t, &nearest) {

@@ -146,7 +146,8 @@ fn straight_up() -> Description {
     let mut scene = ground([0.5, 0.25, 1.0], [0.0, 0.0, 0.5]);
     scatter(&mut scene, &mut dice, 18, [-7.0, 7.0], [-5.0, 5.0], [8.0, 20.0]);
     scene.cylinders.push(cylinder([-3.0, 2.0], 0.8, dice.color(), Surface::Opaque));
-    scene.lamps = vec![lamp([6.0, -5.0, 3.0], [90.0, 90.0, 80.0], 0.3), lamp([-2.0, 0.5, 30.0], [60.0; 3], 1.0)];
+    scene.lamps =
+        vec![lamp([6.0, -5.0, 3.0], [90.0, 90.0, 80.0], 0.3), lamp([-2.0, 0.5, 30.0], [60.0; 3], 1.0)];
     scene
 }
 
@@ -161,7 +162,8 @@ fn mirror_cylinders() -> Description {
         scene.cylinders.push(cylinder(center, 1.0, dice.color(), surface));
     }
     scatter(&mut scene, &mut dice, 8, [-4.0, 4.0], [-4.0, 4.0], [0.6, 3.0]);
-    scene.lamps = vec![lamp([0.0, -4.0, 10.0], [70.0, 66.0, 60.0], 0.5), lamp([1.0, 4.0, 6.0], [20.0; 3], 0.0)];
+    scene.lamps =
+        vec![lamp([0.0, -4.0, 10.0], [70.0, 66.0, 60.0], 0.5), lamp([1.0, 4.0, 6.0], [20.0; 3], 0.0)];
     scene
 }
 
@@ -248,10 +250,12 @@ fn overlapping() -> Description {
 /// The observer and most objects are under the floor.
 fn below_the_floor() -> Description {
     let mut dice = Dice::new(22);
-    let mut scene = ground([0.0, -13.0, -5.0], [0.0, 1.0, 0.2]);
+    // Odd numbers: with round ones a whole row of pixels may lie on the edge of a row of tiles.
+    let mut scene = ground([0.1, -13.21, -5.07], [0.0, 1.0, 0.2]);
     scatter(&mut scene, &mut dice, 16, [-6.0, 6.0], [-4.0, 6.0], [-6.0, 1.0]);
     scene.cylinders.push(cylinder([5.5, 6.0], 0.7, dice.color(), Surface::Mirror));
-    scene.lamps = vec![lamp([-7.0, -11.0, -9.0], [150.0, 140.0, 130.0], 1.0), lamp([0.0, 0.0, 8.0], [90.0; 3], 0.5)];
+    scene.lamps =
+        vec![lamp([-7.0, -11.0, -9.0], [150.0, 140.0, 130.0], 1.0), lamp([0.0, 0.0, 8.0], [90.0; 3], 0.5)];
     scene
 }
 
@@ -261,7 +265,8 @@ fn inside_an_ellipsoid() -> Description {
     let mut scene = ground([0.0, -12.0, 4.0], [0.0, 1.0, -0.08]);
     scene.ellipsoids.push(ellipsoid([0.0, 0.0, 2.0], [14.0, 17.0, 11.0], [0.7, 0.7, 0.8], Surface::Shiny));
     scatter(&mut scene, &mut dice, 14, [-7.0, 7.0], [-5.0, 8.0], [0.6, 5.0]);
-    scene.lamps = vec![lamp([-5.0, -6.0, 9.0], [70.0, 66.0, 60.0], 0.0), lamp([7.0, 0.0, 6.0], [16.0; 3], 0.5)];
+    scene.lamps =
+        vec![lamp([-5.0, -6.0, 9.0], [70.0, 66.0, 60.0], 0.0), lamp([7.0, 0.0, 6.0], [16.0; 3], 0.5)];
     scene
 }
 
@@ -394,7 +399,8 @@ mod tests {
             let places = scene.spheres.iter().map(|object| object.position);
             let places = places.chain(scene.ellipsoids.iter().map(|object| object.position));
             let places = places.chain(scene.cylinders.iter().map(|object| object.position));
-            let mut places = places.chain(scene.lamps.iter().map(|lamp| lamp.position)).chain([scene.camera.eye]);
+            let mut places =
+                places.chain(scene.lamps.iter().map(|lamp| lamp.position)).chain([scene.camera.eye]);
             assert!(places.all(|place| place.iter().all(|part| part.abs() <= 50.0)), "{name}");
             let picture = render(&scene, 80, 60, 4.0 / 3.0, 5);
             let mean = picture.iter().flatten().map(|part| part.min(1.0)).sum::<f64>() / (80.0 * 60.0 * 3.0);

@@ -31,7 +31,10 @@ impl<S: Scalar> Illumination<S> for Rta {
         if !Illumination::<S>::is_lit(self, surface) {
             return Rgb::BLACK;
         }
-        let (base, slope) = (S::Unit::ratio(AMBIENT_BASE.0, AMBIENT_BASE.1), S::Unit::ratio(AMBIENT_SLOPE.0, AMBIENT_SLOPE.1));
+        let (base, slope) = (
+            S::Unit::ratio(AMBIENT_BASE.0, AMBIENT_BASE.1),
+            S::Unit::ratio(AMBIENT_SLOPE.0, AMBIENT_SLOPE.1),
+        );
         let factor = surface.normal.z().times(slope) + base;
         ambient.zip(surface.color, |light, color| light.times(color.times(factor)))
     }

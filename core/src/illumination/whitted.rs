@@ -57,7 +57,9 @@ impl<S: Scalar> Illumination<S> for Whitted<S> {
             Material::Opaque | Material::Shiny => {
                 ambient.zip(surface.color, |light, color| light.times(color.times(self.ka)))
             }
-            Material::Mirror | Material::Transparent(_) => Rgb::new(S::Light::ZERO, S::Light::ZERO, S::Light::ZERO),
+            Material::Mirror | Material::Transparent(_) => {
+                Rgb::new(S::Light::ZERO, S::Light::ZERO, S::Light::ZERO)
+            }
         }
     }
 

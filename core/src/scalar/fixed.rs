@@ -17,8 +17,8 @@ pub type Q16 = I16F16;
 const UNIT_BITS: u32 = 30;
 /// Fractional bits of radiance.
 const LIGHT_BITS: u32 = 16;
-/// How far a ray's origin is pushed off a surface, in LSBs of a length; see [`LengthVector::leave`].
-const LEAVE_LSB: i64 = 4;
+/// How far a ray's origin is pushed off a surface, in LSBs of a length; see [`LengthVector::clearance`].
+const LEAVE_LSB: i32 = 4;
 
 /// The low word of a result that the range check promises to fit.
 #[allow(clippy::cast_possible_truncation)] // checked in debug builds, proved before a release build draws
@@ -174,7 +174,9 @@ impl UnitVector for Xyz<I2F30> {
         })
     }
     fn halfway(self, other: Self) -> Option<Self> {
-        let mean = self.zip(other, |a, b| I2F30::from_bits(word((i64::from(a.to_bits()) + i64::from(b.to_bits())) >> 1)));
+        let mean = self.zip(other, |a, b| {
+            I2F30::from_bits(word((i64::from(a.to_bits()) + i64::from(b.to_bits())) >> 1))
+        });
         UnitVector::normalize(mean).map(|(halfway, _)| halfway)
     }
     fn half_chord(self, radius: I2F30) -> Option<I2F30> {
@@ -225,7 +227,9 @@ macro_rules! fixed_point {
                 Self::from_bits(saturate(slope.times(self.to_bits())))
             }
             fn over(self, slope: I2F30) -> Self {
-                Self::from_bits(saturate(Reciprocal::of(slope.to_bits().unsigned_abs()).times(self.to_bits())))
+                Self::from_bits(saturate(
+                    Reciprocal::of(slope.to_bits().unsigned_abs()).times(self.to_bits()),
+                ))
             }
             fn odd_tile(self) -> bool {
                 self.to_bits().div_euclid(3 << $bits) & 1 == 1
@@ -295,11 +299,8 @@ macro_rules! fixed_point {
             /// than that over `r` in the admitted range. Four LSBs leave more than 3 between the place and the surface.
             /// The foot point of a ray that leaves, `l`, is rounded by as much again, so that `|l|^2 - r^2` errs by at
             /// most `1.8 r` LSB, while it is `6 r` LSB for a tangent: the nearest and the farther root stay behind.
-            fn leave(self, normal: Xyz<I2F30>, _extent: $f) -> Self {
-                self.zip(normal, |p, n| {
-                    let off = shift_right(i64::from(n.to_bits()) * LEAVE_LSB, UNIT_BITS);
-                    <$f>::from_bits(word(i64::from(p.to_bits()) + off))
-                })
+            fn clearance(self, _extent: $f) -> ($f, $f) {
+                (<$f>::from_bits(LEAVE_LSB), <$f>::from_bits(6 * LEAVE_LSB))
             }
             fn dot_plan(self, plan: Plan<$f>) -> $f {
                 let (x, y) = (self.x.to_bits(), self.y.to_bits());

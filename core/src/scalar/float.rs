@@ -139,8 +139,9 @@ macro_rules! float {
             /// times the error of the normal, about `4 u`, in each component, with `u = EPSILON / 2`. The offset is
             /// `8 EPSILON (|p| + r)`, three times their sum: the rest answers for the rounding of the foot point when
             /// the ray that leaves is tested against the surface it left.
-            fn leave(self, normal: Self, extent: $f) -> Self {
-                self + normal * (8.0 * <$f>::EPSILON * (self.abs().max_element() + extent))
+            fn clearance(self, extent: $f) -> ($f, $f) {
+                let step = 8.0 * <$f>::EPSILON * (self.abs().max_element() + extent);
+                (step, 6.0 * step)
             }
             fn dot_plan(self, plan: Plan<$f>) -> $f {
                 self.x * plan.x + self.y * plan.y

@@ -145,7 +145,10 @@ mod tests {
             let root = u128::from(sqrt(value));
             let value = u128::from(value);
             assert!(root * root <= value + root, "sqrt({value}) = {root} is too large");
-            assert!(root * root + root >= value || root == u128::from(u32::MAX), "sqrt({value}) = {root} is too small");
+            assert!(
+                root * root + root >= value || root == u128::from(u32::MAX),
+                "sqrt({value}) = {root} is too small"
+            );
         }
     }
 

@@ -5,7 +5,7 @@ use crate::color::Rgb;
 use crate::material::Material;
 use crate::ray::Ray;
 use crate::scalar::{Scalar, Unit};
-use crate::vector::{LengthVector, UnitVec3, Vec3, Vector};
+use crate::vector::{LengthVector, UnitVec3, UnitVector, Vec3, Vector};
 
 /// A vertical cylinder without ends; it is seen as far up and down as [`Scalar::WORLD`].
 #[derive(Clone, Copy, Debug)]
@@ -68,7 +68,12 @@ impl<S: Scalar> Cylinder<S> {
             plan.y.times(offset) + plan.x.times(across),
             S::Unit::ZERO,
         );
-        let axis = Vec3::<S>::new(self.center.x(), self.center.y(), ray.origin.z() + distance.scale(ray.direction.z()));
+        let normal = normal.tighten();
+        let axis = Vec3::<S>::new(
+            self.center.x(),
+            self.center.y(),
+            ray.origin.z() + distance.scale(ray.direction.z()),
+        );
         Spot { distance, point: axis.along(normal, self.radius), normal }
     }
 }

@@ -47,7 +47,7 @@ impl<S: Scalar> Sphere<S> {
         let (normal, offset) = match foot.half_chord(S::Unit::ONE) {
             Some(half) => {
                 let offset = if t > b { half } else { -half };
-                (foot.plus(ray.direction, offset), offset - past)
+                (foot.plus(ray.direction, offset).tighten(), offset - past)
             }
             // The search saw a tangent where there is a miss by less than its rounding.
             None => (foot.normalize().map_or(-ray.direction, |(normal, _)| normal), -past),
