@@ -84,6 +84,17 @@ pub trait Scalar:
     /// The same for the coordinate `self + slope * height / fall`, where the quotient may lie beyond [`Scalar::FAR`].
     fn odd_far_tile(self, slope: Self::Unit, height: Self, fall: Self::Unit) -> bool;
 
+    /// Which of four spheres, each a centre and a radius, a ray may meet: a test that costs less than the search and
+    /// never says no where the search finds something. Formats without lanes to spare say yes.
+    #[inline]
+    fn may_meet(
+        _spheres: [(Self::Vector, Self); 4],
+        _origin: Self::Vector,
+        _direction: Self::UnitVector,
+    ) -> [bool; 4] {
+        [true; 4]
+    }
+
     /// The intensity `mantissa * 2^exponent`.
     fn power(mantissa: u32, exponent: i16) -> Self::Power;
     /// Intensity as a radiance, for a lamp that is not attenuated; saturates.

@@ -120,9 +120,10 @@ impl<S: Scalar> Scene<'_, S> {
             }
         }
         if N::SPHERES {
-            for (i, sphere) in self.spheres.iter().enumerate() {
+            sphere::sweep(self.spheres, ray, |i, sphere| {
                 found(sphere.intersect(ray, t_max), Object::Sphere(i), &mut t_max);
-            }
+                true
+            });
         }
         if N::VISIBLE_LAMPS {
             for (i, lamp) in self.lamps.iter().enumerate() {
@@ -154,10 +155,10 @@ impl<S: Scalar> Scene<'_, S> {
             }
         };
         if N::SPHERES {
-            for sphere in self.spheres {
-                if sphere.intersect(ray, t_max).is_some() && !shade(&sphere.material) {
-                    return S::Unit::ZERO;
-                }
+            let open =
+                |_, sphere: &Sphere<S>| sphere.intersect(ray, t_max).is_none() || shade(&sphere.material);
+            if !sphere::sweep(self.spheres, ray, open) {
+                return S::Unit::ZERO;
             }
         }
         if N::ELLIPSOIDS {

@@ -39,6 +39,9 @@ struct Pending<S: Scalar, W> {
     depth: u8,
 }
 
+/// The rays that one ray spawns: at most two.
+type Children<S, W> = [Option<Pending<S, W>>; 2];
+
 impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize> Tracer<'a, S, M, N, STACK> {
     /// Bytes of the stack of pending rays: what the ray tree costs beyond one ray.
     pub const STACK_BYTES: usize = size_of::<Vec<Pending<S, M::Weight>, STACK>>();
@@ -86,11 +89,7 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize> Tracer<'a,
     }
 
     /// What one ray brings of its own, and the rays that it spawns.
-    fn shade(
-        &self,
-        ray: &Ray<S>,
-        parent: &Pending<S, M::Weight>,
-    ) -> (Rgb<S::Light>, [Option<Pending<S, M::Weight>>; 2]) {
+    fn shade(&self, ray: &Ray<S>, parent: &Pending<S, M::Weight>) -> (Rgb<S::Light>, Children<S, M::Weight>) {
         let (surface, extent) = match self.scene.look::<N>(ray) {
             Seen::Light(light) => return (light, [None, None]),
             Seen::Surface(surface, extent) => (surface, extent),
@@ -134,7 +133,7 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize> Tracer<'a,
         surface: &Surface<S>,
         extent: S,
         parent: &Pending<S, M::Weight>,
-    ) -> [Option<Pending<S, M::Weight>>; 2] {
+    ) -> Children<S, M::Weight> {
         let secondary = self.model.secondary(surface);
         let ray = |side, direction, weight: M::Weight| Pending {
             origin: surface.point.leave(side, direction, extent).0,

@@ -274,6 +274,7 @@ pub fn narrow<S: Narrow>(description: &Description, aspect: f64) -> Result<Narro
 
 #[cfg(test)]
 mod tests {
+    #![allow(clippy::indexing_slicing)] // a test may panic
     use rta_core::Q16;
 
     use super::*;

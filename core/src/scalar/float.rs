@@ -85,6 +85,16 @@ macro_rules! float {
             fn odd_far_tile(self, slope: Self, height: Self, fall: Self) -> bool {
                 (self + slope * (height / fall)).odd_tile()
             }
+            /// The search's own arithmetic, in its order, four lanes side by side.
+            #[inline]
+            fn may_meet(spheres: [($vec, $f); 4], o: $vec, d: $vec) -> [bool; 4] {
+                spheres.map(|(center, r)| {
+                    let (x, y, z) = (center.x - o.x, center.y - o.y, center.z - o.z);
+                    let b = x * d.x + y * d.y + z * d.z;
+                    let (x, y, z) = (x - d.x * b, y - d.y * b, z - d.z * b);
+                    (x * x + y * y + z * z <= r * r) & (b + r > 0.0)
+                })
+            }
             fn power(mantissa: u32, exponent: i16) -> Self {
                 let step: $f = if exponent < 0 { 0.5 } else { 2.0 };
                 (0..exponent.unsigned_abs()).fold(mantissa as $f, |power, _| power * step)

@@ -156,7 +156,7 @@ mod tests {
     fn rsqrt_is_within_two_units() {
         for m in words().map(|w| (w >> 32) as u32).filter(|&m| m >= 1 << 30) {
             let exact = ((1u128 << 94) / u128::from(m)).isqrt(); // 2^31 / sqrt(m / 2^32)
-            let error = 2 * i64::from(rsqrt(m)) - exact as i64;
+            let error = 2 * i64::from(rsqrt(m)) - i64::try_from(exact).expect("it fits");
             assert!(error.abs() <= 4, "rsqrt({m}) is {error} half units off");
         }
     }
@@ -166,7 +166,7 @@ mod tests {
         for value in words().map(|w| (w >> 32) as u32).filter(|&v| v > 0) {
             let (mantissa, exponent) = Reciprocal::of(value).parts();
             let exact = (1u128 << (31 + exponent)) / u128::from(value);
-            let error = 2 * i64::from(mantissa) - exact as i64;
+            let error = 2 * i64::from(mantissa) - i64::try_from(exact).expect("it fits");
             assert!(error.abs() <= 4, "1/{value} is {error} half units off");
             assert!((1 << 30..=1 << 31).contains(&mantissa));
         }

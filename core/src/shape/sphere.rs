@@ -57,6 +57,28 @@ impl<S: Scalar> Sphere<S> {
     }
 }
 
+/// Calls `visit` with each sphere that a ray may meet, in their order, as long as it returns true.
+#[inline]
+pub(crate) fn sweep<'a, S: Scalar>(
+    spheres: &'a [Sphere<S>],
+    ray: &Ray<S>,
+    mut visit: impl FnMut(usize, &'a Sphere<S>) -> bool,
+) -> bool {
+    let (blocks, rest) = spheres.as_chunks::<4>();
+    for (k, block) in blocks.iter().enumerate() {
+        let may = S::may_meet(block.each_ref().map(|s| (s.center, s.radius)), ray.origin, ray.direction);
+        if may == [false; 4] {
+            continue;
+        }
+        for ((i, sphere), may) in block.iter().enumerate().zip(may) {
+            if may && !visit(4 * k + i, sphere) {
+                return false;
+            }
+        }
+    }
+    rest.iter().enumerate().all(|(i, sphere)| visit(4 * blocks.len() + i, sphere))
+}
+
 /// Distance of the nearest hit of a sphere in ]0, `t_max`[.
 #[inline]
 pub(crate) fn intersect<S: Scalar>(center: Vec3<S>, radius: S, ray: &Ray<S>, t_max: S) -> Option<S> {
