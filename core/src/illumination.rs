@@ -35,6 +35,19 @@ pub struct Surface<'a, S: Scalar> {
     pub material: &'a Material<S>,
 }
 
+/// What a ray is traced for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum RayKind {
+    /// From the eye.
+    Primary,
+    /// Reflected, also by total internal reflection.
+    Reflected,
+    /// Transmitted.
+    Transmitted,
+    /// To a lamp.
+    Shadow,
+}
+
 /// The rays that a point wants traced, and what part of their light it sends back.
 #[derive(Clone, Copy, Debug)]
 pub struct Secondary<W> {
@@ -68,6 +81,10 @@ pub trait Illumination<S: Scalar>: Send + Sync {
 
     /// The secondary rays that the point wants.
     fn secondary(&self, surface: &Surface<S>) -> Secondary<Self::Weight>;
+
+    /// Told of each ray before it is traced: for counting them. Does nothing unless a model wants it.
+    #[inline]
+    fn note(&self, _kind: RayKind) {}
 }
 
 /// What part of a ray's light arrives in the pixel.
@@ -80,6 +97,8 @@ pub trait Weight<S: Scalar>: Copy + core::fmt::Debug + Send + Sync {
     fn join(self, other: Self) -> Self;
     /// The part of a light.
     fn filter(self, light: Rgb<S::Light>) -> Rgb<S::Light>;
+    /// Whether the part is below `threshold` in every register.
+    fn is_below(self, threshold: S::Unit) -> bool;
 }
 
 impl<S: Scalar<Unit = U>, U: Unit> Weight<S> for U {
@@ -93,6 +112,9 @@ impl<S: Scalar<Unit = U>, U: Unit> Weight<S> for U {
     fn filter(self, light: Rgb<S::Light>) -> Rgb<S::Light> {
         light.map(|l| l.times(self))
     }
+    fn is_below(self, threshold: U) -> bool {
+        self < threshold
+    }
 }
 
 impl<S: Scalar<Unit = U>, U: Unit> Weight<S> for Rgb<U> {
@@ -105,5 +127,8 @@ impl<S: Scalar<Unit = U>, U: Unit> Weight<S> for Rgb<U> {
     }
     fn filter(self, light: Rgb<S::Light>) -> Rgb<S::Light> {
         light.zip(self, Light::times)
+    }
+    fn is_below(self, threshold: U) -> bool {
+        self.r < threshold && self.g < threshold && self.b < threshold
     }
 }

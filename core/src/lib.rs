@@ -1,8 +1,8 @@
 //! A Whitted ray tracer for machines without a heap, an operating system or an FPU.
 //!
 //! The crate is `no_std`, allocates nothing and contains no unsafe code. Everything is generic over a [`Scalar`]:
-//! the number type of a length. `f32` and (with the feature `f64`) `f64` are scalars; so is [`Q16`], fixed point
-//! that draws the same bytes on every processor.
+//! the number type of a length. `f32` and (with the feature `f64`) `f64` are scalars; so are [`Q16`] and [`Q20`], fixed
+//! point that draws the same bytes on every processor.
 //!
 //! # The way of one pixel
 //!
@@ -56,7 +56,7 @@ pub mod trace;
 pub mod vector;
 
 pub use error::Error;
-pub use scalar::{Q16, Scalar};
+pub use scalar::{Q16, Q20, Scalar};
 
 /// What a program that draws a picture needs, in one `use`.
 pub mod prelude {

@@ -24,7 +24,7 @@ mod fixed;
 mod float;
 pub mod integer;
 
-pub use fixed::{Q16, Radiance};
+pub use fixed::{Power, Q16, Q20, Radiance};
 
 /// A length: coordinates, radii, distances, in the scene's unit.
 pub trait Scalar:

@@ -7,7 +7,7 @@ use rta_core::illumination::{Illumination, Rta, Whitted};
 use rta_core::needs::Everything;
 use rta_core::raster::{Pixels, Raster};
 use rta_core::trace::Tracer;
-use rta_core::{Error, Q16};
+use rta_core::{Error, Q16, Q20};
 use rta_scenes::description::Description;
 use rta_scenes::narrow::{Narrow, NarrowError, Narrowed, narrow};
 
@@ -20,6 +20,8 @@ pub enum Format {
     F64,
     /// Fixed point: lengths in Q16.16, unit vectors in Q2.30. The same bytes on every machine.
     Q16,
+    /// Fixed point: lengths in Q12.20, finer and shorter, unit vectors in Q2.30. The same bytes on every machine.
+    Q20,
 }
 
 /// The illumination model.
@@ -37,6 +39,7 @@ impl fmt::Display for Format {
             Self::F32 => "f32",
             Self::F64 => "f64",
             Self::Q16 => "q16",
+            Self::Q20 => "q20",
         })
     }
 }
@@ -136,6 +139,7 @@ impl Engine {
             Format::F32 => modelled::<f32>(scene, settings)?,
             Format::F64 => modelled::<f64>(scene, settings)?,
             Format::Q16 => modelled::<Q16>(scene, settings)?,
+            Format::Q20 => modelled::<Q20>(scene, settings)?,
         };
         Ok(Self { settings: settings.clone(), rows })
     }

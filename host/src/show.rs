@@ -234,6 +234,7 @@ const fn next_format(format: Format) -> Format {
     match format {
         Format::F32 => Format::F64,
         Format::F64 => Format::Q16,
-        Format::Q16 => Format::F32,
+        Format::Q16 => Format::Q20,
+        Format::Q20 => Format::F32,
     }
 }

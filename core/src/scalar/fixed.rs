@@ -4,7 +4,7 @@
 //! product is formed whole in 64 bits and rounded once. Debug builds check that each result fits its format; that it
 //! does, for any ray, is what [`crate::range`] proves of a scene before it may be drawn.
 
-use fixed::types::{I2F30, I16F16, I32F32};
+use fixed::types::{I2F30, I12F20, I16F16, I24F40, I32F32};
 
 use super::integer::{self, Reciprocal, shift_right};
 use super::{Light, Scalar, Unit};
@@ -12,6 +12,9 @@ use crate::vector::{LengthVector, Plan, UnitVector, Xyz};
 
 /// Lengths in Q16.16: the world is 16384 units wide, one LSB is 1.5e-5.
 pub type Q16 = I16F16;
+
+/// Lengths in Q12.20: a sixteenth of the world, sixteen times as fine; one LSB is 9.5e-7.
+pub type Q20 = I12F20;
 
 /// Fractional bits of a unit vector's component.
 const UNIT_BITS: u32 = 30;
@@ -322,3 +325,4 @@ macro_rules! fixed_point {
 }
 
 fixed_point!(I16F16, I32F32, 16, world: "8192");
+fixed_point!(I12F20, I24F40, 20, world: "512");

@@ -2,7 +2,7 @@
 
 use fixed::types::{I2F30, I16F16};
 use rta_core::scalar::{Light, Radiance};
-use rta_core::{Q16, Scalar};
+use rta_core::{Q16, Q20, Scalar};
 
 use super::Narrow;
 
@@ -24,33 +24,40 @@ fn power<S: Scalar>(value: f64) -> S::Power {
     S::power(mantissa.round() as u32, exponent)
 }
 
-impl Narrow for Q16 {
-    const NAME: &'static str = "q16";
-    // Four times the distance that a ray's start stands off a surface.
-    const SMALLEST_RADIUS: f64 = 16.0 / 65536.0;
-    const LARGEST_COLOR: f64 = 1.99;
-    const LARGEST_LIGHT: f64 = 32767.0;
-    const LARGEST_POWER: f64 = 1e9;
+macro_rules! fixed_point {
+    ($f:ty, $name:literal) => {
+        impl Narrow for $f {
+            const NAME: &'static str = $name;
+            // Four times the distance that a ray's start stands off a surface.
+            const SMALLEST_RADIUS: f64 = 16.0 / (1u64 << <$f>::FRAC_NBITS) as f64;
+            const LARGEST_COLOR: f64 = 1.99;
+            const LARGEST_LIGHT: f64 = 32767.0;
+            const LARGEST_POWER: f64 = 1e9;
 
-    fn world() -> f64 {
-        Self::WORLD.to_num()
-    }
-    fn length(value: f64) -> Self {
-        Self::saturating_from_num(value)
-    }
-    fn unit(value: f64) -> I2F30 {
-        I2F30::saturating_from_num(value)
-    }
-    fn light(value: f64) -> Radiance {
-        Radiance(I16F16::saturating_from_num(value))
-    }
-    fn power(value: f64) -> <Self as Scalar>::Power {
-        power::<Self>(value)
-    }
-    fn widen(light: Radiance) -> f32 {
-        light.0.to_num()
-    }
+            fn world() -> f64 {
+                Self::WORLD.to_num()
+            }
+            fn length(value: f64) -> Self {
+                Self::saturating_from_num(value)
+            }
+            fn unit(value: f64) -> I2F30 {
+                I2F30::saturating_from_num(value)
+            }
+            fn light(value: f64) -> Radiance {
+                Radiance(I16F16::saturating_from_num(value))
+            }
+            fn power(value: f64) -> <Self as Scalar>::Power {
+                power::<Self>(value)
+            }
+            fn widen(light: Radiance) -> f32 {
+                light.0.to_num()
+            }
+        }
+    };
 }
+
+fixed_point!(Q16, "q16");
+fixed_point!(Q20, "q20");
 
 macro_rules! float {
     ($f:ty, $name:literal) => {
