@@ -85,6 +85,16 @@ pub trait Illumination<S: Scalar>: Send + Sync {
     /// Told of each ray before it is traced: for counting them. Does nothing unless a model wants it.
     #[inline]
     fn note(&self, _kind: RayKind) {}
+
+    /// Told of the light that a ray has met which met no surface: a lamp's or the sky's. Does nothing unless a model
+    /// wants it.
+    #[inline]
+    fn note_light(&self, _light: Rgb<S::Light>) {}
+
+    /// Told what part of the lamp's light comes through that [`Illumination::direct`] was asked about last. Does nothing
+    /// unless a model wants it.
+    #[inline]
+    fn note_shadow(&self, _part: S::Unit) {}
 }
 
 /// What part of a ray's light arrives in the pixel.

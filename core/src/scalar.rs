@@ -18,6 +18,7 @@
 use core::fmt::Debug;
 use core::ops::{Add, Neg, Sub};
 
+use crate::range::Magnitude;
 use crate::vector::{LengthVector, UnitVector};
 
 mod fixed;
@@ -56,13 +57,23 @@ pub trait Scalar:
 
     /// Nothing.
     const ZERO: Self;
-    /// Half the width of the box around the origin in which eye, objects and lamps must lie: the differences of any
-    /// two points in it, and their squares, are exact.
-    const WORLD: Self;
-    /// `t_max` of a ray that is not bounded otherwise: longer than any way inside the world.
+    /// `t_max` of a ray that is not bounded otherwise: the largest length.
     const FAR: Self;
-    /// How far along a ray the floor is lit at the place itself; what lies beyond is lit as this far away.
-    const REACH: Self;
+    /// The largest square of a length.
+    const LARGEST_SQUARE: Magnitude;
+    /// The largest sum of products of a length and a unit.
+    const LARGEST_PRODUCT: Magnitude;
+    /// The largest ratio of an ellipsoid's radii.
+    const LARGEST_STRETCH: Magnitude;
+    /// How far the start of a ray stands off a surface at least, where that is a constant of the format.
+    const CLEARANCE: Magnitude;
+
+    /// The size of a length.
+    fn size(self) -> Magnitude;
+    /// The largest length that does not exceed a size.
+    fn at_most(size: Magnitude) -> Self;
+    /// The size of an intensity.
+    fn power_size(power: Self::Power) -> Magnitude;
 
     /// `self * factor`, rounded.
     fn scale(self, factor: Self::Unit) -> Self;
@@ -123,6 +134,10 @@ pub trait Unit:
     const ZERO: Self;
     /// 1.
     const ONE: Self;
+    /// The largest size.
+    const LARGEST: Magnitude;
+    /// The size.
+    fn size(self) -> Magnitude;
     /// `numerator / denominator`, rounded to the nearest; `denominator > 0` and the value below 2 in size.
     fn ratio(numerator: i64, denominator: i64) -> Self;
     /// The product, rounded.
@@ -154,6 +169,10 @@ pub trait Light: Copy + Debug + PartialEq + PartialOrd + Send + Sync + 'static {
     const ZERO: Self;
     /// The brightest level of a display.
     const WHITE: Self;
+    /// The largest radiance.
+    const LARGEST: Magnitude;
+    /// The size.
+    fn size(self) -> Magnitude;
     /// The sum of two radiances.
     fn plus(self, other: Self) -> Self;
     /// The part `factor` (0 or more) of a radiance.

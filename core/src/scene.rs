@@ -5,6 +5,7 @@ use crate::illumination::Surface;
 use crate::light::Lamp;
 use crate::material::Material;
 use crate::needs::Needs;
+use crate::range::Limits;
 use crate::ray::Ray;
 use crate::scalar::{Light, Scalar, Unit};
 pub use crate::shape::Floor;
@@ -94,8 +95,8 @@ impl<S: Scalar> Scene<'_, S> {
         }
     }
 
-    /// The nearest hit of a ray, if it meets anything.
-    pub fn nearest<N: Needs>(&self, ray: &Ray<S>) -> Option<Hit<S>> {
+    /// The nearest hit of a ray, if it meets anything; cylinders end at the height `lid`.
+    pub fn nearest<N: Needs>(&self, ray: &Ray<S>, lid: S) -> Option<Hit<S>> {
         let mut hit = None;
         let mut t_max = S::FAR;
         let mut found = |distance: Option<S>, object: Object, t_max: &mut S| {
@@ -111,7 +112,7 @@ impl<S: Scalar> Scene<'_, S> {
         }
         if N::CYLINDERS {
             for (i, cylinder) in self.cylinders.iter().enumerate() {
-                found(cylinder.intersect(ray, t_max), Object::Cylinder(i), &mut t_max);
+                found(cylinder.intersect(ray, t_max, lid), Object::Cylinder(i), &mut t_max);
             }
         }
         if N::ELLIPSOIDS {
@@ -140,8 +141,9 @@ impl<S: Scalar> Scene<'_, S> {
     }
 
     /// What part of a lamp's light comes through from `t_max` along a shadow ray: 0 behind anything that is not
-    /// transparent, else the product of kt over the transparent objects on the way, once for each.
-    pub fn transmittance<N: Needs>(&self, ray: &Ray<S>, t_max: S) -> S::Unit {
+    /// transparent, else the product of kt over the transparent objects on the way, once for each. Cylinders end at the
+    /// height `lid`.
+    pub fn transmittance<N: Needs>(&self, ray: &Ray<S>, t_max: S, lid: S) -> S::Unit {
         let mut light = S::Unit::ONE;
         // The part that is left, or 0 and no need to look further.
         let mut shade = |material: &Material<S>| match material {
@@ -170,7 +172,7 @@ impl<S: Scalar> Scene<'_, S> {
         }
         if N::CYLINDERS {
             for cylinder in self.cylinders {
-                if cylinder.intersect(ray, t_max).is_some() && !shade(&cylinder.material) {
+                if cylinder.intersect(ray, t_max, lid).is_some() && !shade(&cylinder.material) {
                     return S::Unit::ZERO;
                 }
             }
@@ -185,13 +187,13 @@ impl<S: Scalar> Scene<'_, S> {
     }
 
     /// What is seen along a ray: the surface of what it hits, or the radiance of a lamp or of the sky.
-    pub(crate) fn look<N: Needs>(&self, ray: &Ray<S>) -> Seen<'_, S> {
+    pub(crate) fn look<N: Needs>(&self, ray: &Ray<S>, limits: &Limits<S>) -> Seen<'_, S> {
         let sky = || Seen::Light(self.sky.radiance::<N>(ray.direction));
-        let Some(Hit { distance, object }) = self.nearest::<N>(ray) else { return sky() };
+        let Some(Hit { distance, object }) = self.nearest::<N>(ray, limits.lid) else { return sky() };
         // One arm for each kind; an index is always that of a thing in its list.
         let found = match object {
             Object::Floor if N::FLOOR => self.floor.as_ref().map(|floor| {
-                let (spot, color) = floor.spot(ray, distance);
+                let (spot, color) = floor.spot(ray, distance, limits.reach);
                 (spot, color, &Material::Opaque, S::ZERO)
             }),
             Object::Cylinder(i) if N::CYLINDERS => {

@@ -101,8 +101,11 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize> Tracer<'a,
 
     /// What one ray brings of its own, and the rays that it spawns.
     fn shade(&self, ray: &Ray<S>, parent: &Pending<S, M::Weight>) -> (Rgb<S::Light>, Children<S, M::Weight>) {
-        let (surface, extent) = match self.scene.look::<N>(ray) {
-            Seen::Light(light) => return (light, [None, None]),
+        let (surface, extent) = match self.scene.look::<N>(ray, &self.scene.limits()) {
+            Seen::Light(light) => {
+                self.model.note_light(light);
+                return (light, [None, None]);
+            }
             Seen::Surface(surface, extent) => (surface, extent),
         };
         let mut light = self.model.ambient::<N>(&surface, self.scene.ambient);
@@ -135,7 +138,8 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize> Tracer<'a,
         let (origin, used) = surface.point.leave(side, incident.direction, extent);
         self.model.note(RayKind::Shadow);
         let shadow = Ray::new::<N>(origin, incident.direction);
-        let part = self.scene.transmittance::<N>(&shadow, incident.distance - used);
+        let part = self.scene.transmittance::<N>(&shadow, incident.distance - used, self.scene.limits().lid);
+        self.model.note_shadow(part);
         if part == S::Unit::ONE { light } else { light.map(|register| register.times(part)) }
     }
 

@@ -27,8 +27,8 @@ pub trait Narrow: Scalar {
     const LARGEST_LIGHT: f64;
     /// The largest intensity of a lamp.
     const LARGEST_POWER: f64;
-    /// [`Scalar::WORLD`].
-    fn world() -> f64;
+    /// The largest length.
+    fn largest() -> f64;
     /// The nearest length; the value is within the format.
     fn length(value: f64) -> Self;
     /// The nearest component or coefficient; the value is within the format.
@@ -129,12 +129,12 @@ impl<S: Narrow> Checker<S> {
 
     /// A place of something that reaches `radius` about it.
     fn place(&self, place: [f64; 3], radius: f64) -> Result<Vec3<S>, NarrowError> {
-        self.at_most("the radius", radius, S::world())?;
+        self.at_most("the radius", radius, S::largest())?;
         let names = ["x (with the radius)", "y (with the radius)", "z (with the radius)"];
         let bare = ["x", "y", "z"];
         for (axis, &c) in place.iter().enumerate() {
             let quantity = if radius > 0.0 { names.get(axis) } else { bare.get(axis) };
-            self.at_most(quantity.copied().unwrap_or("position"), c.abs() + radius, S::world())?;
+            self.at_most(quantity.copied().unwrap_or("position"), c.abs() + radius, S::largest())?;
         }
         let [x, y, z] = place.map(S::length);
         Ok(Vector::new(x, y, z))
@@ -144,7 +144,7 @@ impl<S: Narrow> Checker<S> {
         if radius < S::SMALLEST_RADIUS {
             return Err(self.error("the radius", radius, S::SMALLEST_RADIUS));
         }
-        self.at_most("the radius", radius, S::world()).map(S::length)
+        self.at_most("the radius", radius, S::largest()).map(S::length)
     }
 
     fn color(&self, quantity: &'static str, color: [f64; 3]) -> Result<Rgb<S::Unit>, NarrowError> {

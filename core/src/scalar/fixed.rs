@@ -8,12 +8,13 @@ use fixed::types::{I2F30, I12F20, I16F16, I24F40, I32F32};
 
 use super::integer::{self, Reciprocal, shift_right};
 use super::{Light, Scalar, Unit};
+use crate::range::Magnitude;
 use crate::vector::{LengthVector, Plan, UnitVector, Xyz};
 
-/// Lengths in Q16.16: the world is 16384 units wide, one LSB is 1.5e-5.
+/// Lengths in Q16.16: a scene may be 24576 units across, one LSB is 1.5e-5.
 pub type Q16 = I16F16;
 
-/// Lengths in Q12.20: a sixteenth of the world, sixteen times as fine; one LSB is 9.5e-7.
+/// Lengths in Q12.20: a scene may be 1536 units across, one LSB is 9.5e-7.
 pub type Q20 = I12F20;
 
 /// Fractional bits of a unit vector's component.
@@ -68,6 +69,10 @@ impl Unit for I2F30 {
     type Inverse = Reciprocal;
     const ZERO: Self = Self::ZERO;
     const ONE: Self = Self::ONE;
+    const LARGEST: Magnitude = Magnitude::new(1 << 31, -30);
+    fn size(self) -> Magnitude {
+        Magnitude::new(u64::from(self.to_bits().unsigned_abs()), -30)
+    }
     #[allow(clippy::cast_possible_truncation)] // saturated
     fn ratio(numerator: i64, denominator: i64) -> Self {
         let scaled = (i128::from(numerator) << (UNIT_BITS + 1)) / i128::from(denominator.max(1));
@@ -100,6 +105,10 @@ impl Light for Radiance {
     type Unit = I2F30;
     const ZERO: Self = Self(I16F16::ZERO);
     const WHITE: Self = Self(I16F16::ONE);
+    const LARGEST: Magnitude = Magnitude::new(1 << 31, -16);
+    fn size(self) -> Magnitude {
+        Magnitude::new(u64::from(self.0.to_bits().unsigned_abs()), -16)
+    }
     fn plus(self, other: Self) -> Self {
         Self(self.0.saturating_add(other.0))
     }
@@ -193,7 +202,7 @@ impl UnitVector for Xyz<I2F30> {
 }
 
 macro_rules! fixed_point {
-    ($f:ty, $wide:ty, $bits:literal, world: $world:literal) => {
+    ($f:ty, $wide:ty, $bits:literal) => {
         impl Scalar for $f {
             type Unit = I2F30;
             type Wide = $wide;
@@ -204,12 +213,27 @@ macro_rules! fixed_point {
             type UnitVector = Xyz<I2F30>;
 
             const ZERO: Self = Self::ZERO;
-            // Two points of a box of half-width w are at most 2 sqrt(3) w < 3.5 w apart. A point of the floor that is
-            // REACH = w / 2 beyond the box is at most 4 w from any point in it, which is what the format holds.
-            const WORLD: Self = Self::lit($world);
-            const REACH: Self = Self::from_bits(Self::WORLD.to_bits() / 2);
             const FAR: Self = Self::MAX;
+            const LARGEST_SQUARE: Magnitude = Magnitude::new(1 << 63, -2 * $bits);
+            const LARGEST_PRODUCT: Magnitude = Magnitude::new(1 << 63, -$bits - UNIT_BITS.cast_signed());
+            // A squashed direction is then at least 2^18 LSBs long.
+            const LARGEST_STRETCH: Magnitude = Magnitude::new(1 << 12, 0);
+            const CLEARANCE: Magnitude = Magnitude::new(LEAVE_LSB.cast_unsigned() as u64, -$bits);
 
+            fn size(self) -> Magnitude {
+                Magnitude::new(u64::from(self.to_bits().unsigned_abs()), -$bits)
+            }
+            fn at_most(size: Magnitude) -> Self {
+                let (mantissa, exponent) = size.parts();
+                let bits = match exponent + $bits {
+                    0.. => u32::MAX,
+                    down => mantissa.checked_shr(down.unsigned_abs()).unwrap_or(0),
+                };
+                Self::from_bits(saturate(i64::from(bits)))
+            }
+            fn power_size(power: Power) -> Magnitude {
+                Magnitude::new(u64::from(power.mantissa), i32::from(power.exponent))
+            }
             fn scale(self, factor: I2F30) -> Self {
                 Self::from_bits(round(wide(self.to_bits(), factor.to_bits())))
             }
@@ -324,5 +348,5 @@ macro_rules! fixed_point {
     };
 }
 
-fixed_point!(I16F16, I32F32, 16, world: "8192");
-fixed_point!(I12F20, I24F40, 20, world: "512");
+fixed_point!(I16F16, I32F32, 16);
+fixed_point!(I12F20, I24F40, 20);

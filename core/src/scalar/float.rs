@@ -3,14 +3,19 @@
 #![allow(clippy::float_arithmetic)] // the one file of the core with floats in it
 
 use super::{Light, Scalar, Unit};
+use crate::range::Magnitude;
 use crate::vector::{LengthVector, Plan, UnitVector, Vector};
 
 macro_rules! float {
-    ($f:ty, $vec:ty, $sqrt:path, $floor:path, $far:expr) => {
+    ($f:ty, $vec:ty, $sqrt:path, $floor:path, $far:expr, $size:path) => {
         impl Unit for $f {
             type Inverse = $f;
             const ZERO: Self = 0.0;
             const ONE: Self = 1.0;
+            const LARGEST: Magnitude = $size($far);
+            fn size(self) -> Magnitude {
+                $size(self)
+            }
             fn ratio(numerator: i64, denominator: i64) -> Self {
                 numerator as $f / denominator as $f
             }
@@ -31,6 +36,10 @@ macro_rules! float {
             type Unit = $f;
             const ZERO: Self = 0.0;
             const WHITE: Self = 1.0;
+            const LARGEST: Magnitude = $size($far);
+            fn size(self) -> Magnitude {
+                $size(self)
+            }
             fn plus(self, other: Self) -> Self {
                 self + other
             }
@@ -53,10 +62,24 @@ macro_rules! float {
             type UnitVector = $vec;
 
             const ZERO: Self = 0.0;
-            const WORLD: Self = $far / 64.0;
             const FAR: Self = $far;
-            const REACH: Self = $far / 8.0;
+            // Three squares of FAR still add up to a finite number.
+            const LARGEST_SQUARE: Magnitude = $size($far * $far);
+            const LARGEST_PRODUCT: Magnitude = $size($far * $far);
+            const LARGEST_STRETCH: Magnitude = $size(1.0 / <$f>::EPSILON);
+            const CLEARANCE: Magnitude = Magnitude::ZERO;
 
+            fn size(self) -> Magnitude {
+                $size(self)
+            }
+            fn at_most(size: Magnitude) -> Self {
+                let (mantissa, exponent) = size.parts();
+                // Cut to the digits of the smaller float, so that it is not rounded up.
+                <$f as Scalar>::power(mantissa & !0xff, i16::try_from(exponent).unwrap_or(i16::MAX)).min($far)
+            }
+            fn power_size(power: $f) -> Magnitude {
+                $size(power)
+            }
             fn scale(self, factor: Self) -> Self {
                 self * factor
             }
@@ -209,7 +232,28 @@ macro_rules! float {
     };
 }
 
-// The square of FAR, summed over three components, is still finite.
-float!(f32, glam::Vec3, libm::sqrtf, libm::floorf, 1e18);
+float!(f32, glam::Vec3, libm::sqrtf, libm::floorf, 1e18, size32);
 #[cfg(feature = "f64")]
-float!(f64, glam::DVec3, libm::sqrt, libm::floor, 1e150);
+float!(f64, glam::DVec3, libm::sqrt, libm::floor, 1e150, size64);
+
+/// The size of a number, from its bits (IEEE 754); of one that is not finite, larger than any other.
+const fn size32(value: f32) -> Magnitude {
+    let bits = value.to_bits();
+    let (exponent, fraction) = ((bits >> 23 & 0xff).cast_signed(), (bits & 0x7f_ffff) as u64);
+    match exponent {
+        0 => Magnitude::new(fraction, -149),
+        _ => Magnitude::new(fraction | 1 << 23, exponent - 150),
+    }
+}
+
+/// The size of a number, from its bits (IEEE 754); of one that is not finite, larger than any other.
+#[cfg(feature = "f64")]
+const fn size64(value: f64) -> Magnitude {
+    let bits = value.to_bits();
+    #[allow(clippy::cast_possible_truncation)] // 11 bits
+    let (exponent, fraction) = ((bits >> 52 & 0x7ff) as i32, bits & 0xf_ffff_ffff_ffff);
+    match exponent {
+        0 => Magnitude::new(fraction, -1074),
+        _ => Magnitude::new(fraction | 1 << 52, exponent - 1075),
+    }
+}

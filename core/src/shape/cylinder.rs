@@ -7,7 +7,7 @@ use crate::ray::Ray;
 use crate::scalar::{Scalar, Unit};
 use crate::vector::{LengthVector, UnitVec3, UnitVector, Vec3, Vector};
 
-/// A vertical cylinder without ends; it is seen as far up and down as [`Scalar::WORLD`].
+/// A vertical cylinder without ends; it is seen as far up and down as [`Limits::lid`](crate::range::Limits::lid).
 #[derive(Clone, Copy, Debug)]
 pub struct Cylinder<S: Scalar> {
     /// A place on the axis.
@@ -28,8 +28,8 @@ impl<S: Scalar> Cylinder<S> {
         Self { center, radius, inverse_radius: radius.inverse(), color, material }
     }
 
-    /// Distance of the nearest hit in ]0, `t_max`[.
-    pub fn intersect(&self, ray: &Ray<S>, t_max: S) -> Option<S> {
+    /// Distance of the nearest hit in ]0, `t_max`[ and between the heights `-lid` and `lid`.
+    pub fn intersect(&self, ray: &Ray<S>, t_max: S, lid: S) -> Option<S> {
         let plan = ray.plan?;
         let displacement = self.center - ray.origin;
         let b = displacement.dot_plan(plan);
@@ -44,7 +44,7 @@ impl<S: Scalar> Cylinder<S> {
         let half = S::sqrt(square - across);
         let t = ahead((b - half).stretch(plan.stretch), (b + half).stretch(plan.stretch), t_max)?;
         let (z, rise) = (ray.origin.z(), t.scale(ray.direction.z()));
-        (rise < S::WORLD - z && rise > -S::WORLD - z).then_some(t)
+        (rise < lid - z && rise > -lid - z).then_some(t)
     }
 
     /// The surface where [`Cylinder::intersect`] found the distance `t`.

@@ -29,12 +29,11 @@ impl<S: Scalar> Floor<S> {
 
     /// The surface where [`Floor::intersect`] found the distance `t`, and the colour of the tile.
     ///
-    /// Beyond [`Scalar::REACH`] the colour is that of the place itself, and the place that is lit is at that distance:
-    /// no lamp within the world makes a difference there.
-    pub fn spot(&self, ray: &Ray<S>, t: S) -> (Spot<S>, Rgb<S::Unit>) {
+    /// Beyond `reach` the colour is that of the place itself, and the place that is lit is at that distance.
+    pub fn spot(&self, ray: &Ray<S>, t: S, reach: S) -> (Spot<S>, Rgb<S::Unit>) {
         let (o, d) = (ray.origin, ray.direction);
-        let near = t <= S::REACH;
-        let place = o.along(d, if near { t } else { S::REACH });
+        let near = t <= reach;
+        let place = o.along(d, if near { t } else { reach });
         let odd = if near {
             place.x().odd_tile() != place.y().odd_tile()
         } else {

@@ -34,8 +34,8 @@ macro_rules! fixed_point {
             const LARGEST_LIGHT: f64 = 32767.0;
             const LARGEST_POWER: f64 = 1e9;
 
-            fn world() -> f64 {
-                Self::WORLD.to_num()
+            fn largest() -> f64 {
+                Self::FAR.to_num()
             }
             fn length(value: f64) -> Self {
                 Self::saturating_from_num(value)
@@ -69,8 +69,8 @@ macro_rules! float {
             const LARGEST_LIGHT: f64 = 1e9;
             const LARGEST_POWER: f64 = 1e15;
 
-            fn world() -> f64 {
-                f64::from(Self::WORLD)
+            fn largest() -> f64 {
+                f64::from(Self::FAR)
             }
             fn length(value: f64) -> Self {
                 value as $f

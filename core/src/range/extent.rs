@@ -1,0 +1,104 @@
+//! Where a scene lies: its box, the ball about the box's centre, and how far apart two of its places can be.
+
+use super::{Magnitude, Worst};
+use crate::camera::Camera;
+use crate::scalar::{Scalar, Unit};
+use crate::scene::{Object, Scene};
+use crate::vector::{Vec3, Vector};
+
+/// The box of a scene, at a quarter of its size so that no sum of two of its numbers leaves the format.
+pub(super) struct Extent<'a, 's, S: Scalar> {
+    scene: &'a Scene<'s, S>,
+    eye: Vec3<S>,
+    low: [S; 3],
+    high: [S; 3],
+}
+
+/// A quarter.
+fn quarter<S: Scalar>(length: S) -> S {
+    length.scale(S::Unit::ratio(1, 4))
+}
+
+/// Half.
+fn half<S: Scalar>(length: S) -> S {
+    length.scale(S::Unit::ratio(1, 2))
+}
+
+/// The three coordinates.
+fn axes<S: Scalar>(v: Vec3<S>) -> [S; 3] {
+    [v.x(), v.y(), v.z()]
+}
+
+/// The length of a vector of which the sizes of the components are bounded.
+fn norm(sizes: [Magnitude; 3]) -> Magnitude {
+    sizes.iter().fold(Magnitude::ZERO, |sum, &size| sum.plus(size.times(size))).root()
+}
+
+impl<'a, 's, S: Scalar> Extent<'a, 's, S> {
+    pub(super) fn of(scene: &'a Scene<'s, S>, camera: &Camera<S>) -> Self {
+        let eye = axes::<S>(camera.eye).map(quarter);
+        let (mut low, mut high) = (eye, eye);
+        for (_, place, extent, _) in scene.solids() {
+            let radius = quarter(extent);
+            for ((low, high), c) in low.iter_mut().zip(&mut high).zip(axes::<S>(place).map(quarter)) {
+                *low = if c - radius < *low { c - radius } else { *low };
+                *high = if c + radius > *high { c + radius } else { *high };
+            }
+        }
+        Self { scene, eye: camera.eye, low, high }
+    }
+
+    /// The height at which cylinders end: the highest power of two, up to a quarter of the format, with which no
+    /// distance exceeds `most`; but nothing of the scene is higher.
+    pub(super) fn lid(&self, has_cylinders: bool, most: Magnitude) -> Magnitude {
+        let [_, _, low] = self.low;
+        let [_, _, high] = self.high;
+        let own = low.size().max(high.size()).shift(2);
+        if !has_cylinders {
+            return own;
+        }
+        let lids = (2..16).map(|k| S::FAR.size().shift(-k)).take_while(|lid| *lid > own);
+        let mut fitting = lids.filter(|lid| self.bounds(*lid).1.0 <= most);
+        fitting.next().unwrap_or(own)
+    }
+
+    /// Bounds of a coordinate and of the distance between two places, with cylinders up to `lid`.
+    pub(super) fn bounds(&self, lid: Magnitude) -> (Worst, Worst) {
+        let has_cylinders = !self.scene.cylinders.is_empty();
+        // Quarters are rounded: four LSBs of the format, twice.
+        let slack = S::CLEARANCE.shift(2);
+        let mut sides = [Magnitude::ZERO; 3];
+        for (side, (low, high)) in sides.iter_mut().zip(self.low.iter().zip(self.high)) {
+            *side = (high - *low).size().shift(2).plus(slack);
+        }
+        let [x, y, z] = sides;
+        let diagonal = norm([x, y, if has_cylinders { z.max(lid.shift(1)) } else { z }]);
+
+        let mut center = self.low;
+        for (c, (low, high)) in center.iter_mut().zip(self.low.iter().zip(self.high)) {
+            *c = half(*low) + half(high);
+        }
+        let mut coordinate = Worst::NONE;
+        let mut radius = Worst::NONE;
+        let mut see = |object: Option<Object>, place: Vec3<S>, extent: S| {
+            let mut away = [Magnitude::ZERO; 3];
+            for ((away, c), center) in away.iter_mut().zip(axes::<S>(place)).zip(center) {
+                coordinate.see(c.size().plus(extent.size()), object);
+                *away = (quarter(c) - center).size().shift(2).plus(slack);
+            }
+            if let (Some(Object::Cylinder(_)), [_, _, z]) = (object, &mut away) {
+                let [_, _, middle] = center;
+                *z = lid.plus(middle.size().shift(2));
+                coordinate.see(lid, object);
+            }
+            radius.see(norm(away).plus(extent.size()), object);
+        };
+        see(None, self.eye, S::ZERO);
+        for (object, place, extent, _) in self.scene.solids() {
+            see(Some(object), place, extent);
+        }
+        let Worst(radius, object) = radius;
+        let distance = radius.shift(1);
+        (coordinate, Worst(if diagonal < distance { diagonal } else { distance }, object))
+    }
+}

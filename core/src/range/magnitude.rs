@@ -1,0 +1,173 @@
+//! The size of a quantity, rounded up: what interval arithmetic needs where there is no float.
+
+use core::cmp::Ordering;
+use core::fmt;
+
+/// `mantissa * 2^exponent`, the mantissa's top bit set unless it is 0: an upper bound of a size. Sums, products and
+/// quotients of bounds are bounds; the excess of each is below 2^-31 of it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Magnitude {
+    mantissa: u32,
+    exponent: i32,
+}
+
+impl Magnitude {
+    /// Nothing.
+    pub const ZERO: Self = Self { mantissa: 0, exponent: i32::MIN / 4 };
+
+    /// `value * 2^exponent`, or a little more.
+    #[allow(clippy::cast_possible_truncation)] // shifted to 32 bits
+    pub const fn new(value: u64, exponent: i32) -> Self {
+        if value == 0 {
+            return Self::ZERO;
+        }
+        let shift = 32 - value.leading_zeros().cast_signed();
+        let (mantissa, shift) = if shift > 0 {
+            let floor = value >> shift;
+            let up = floor + (floor << shift != value) as u64;
+            if up >> 32 != 0 { (1 << 31, shift + 1) } else { (up as u32, shift) }
+        } else {
+            ((value << -shift) as u32, shift)
+        };
+        Self { mantissa, exponent: exponent + shift }
+    }
+
+    /// The whole number, and the power of two that it is to be multiplied with.
+    pub const fn parts(self) -> (u32, i32) {
+        (self.mantissa, self.exponent)
+    }
+
+    /// Times `2^by`.
+    pub const fn shift(self, by: i32) -> Self {
+        Self { mantissa: self.mantissa, exponent: self.exponent + by }
+    }
+
+    /// The sum.
+    pub fn plus(self, other: Self) -> Self {
+        let (large, small) = if self > other { (self, other) } else { (other, self) };
+        let apart = u32::try_from(large.exponent - small.exponent).unwrap_or(0);
+        let wide = u64::from(large.mantissa) << 31;
+        let small =
+            (u64::from(small.mantissa) << 31).checked_shr(apart).unwrap_or(0) + u64::from(small.mantissa > 0);
+        Self::new(wide + small, large.exponent - 31)
+    }
+
+    /// The difference, for a smaller `other`, rounded up to 2^-31 of the larger: 0 or more.
+    pub fn minus(self, other: Self) -> Self {
+        let apart = u32::try_from(self.exponent - other.exponent).unwrap_or(0);
+        let small = (u64::from(other.mantissa) << 31).checked_shr(apart).unwrap_or(0);
+        Self::new((u64::from(self.mantissa) << 31).saturating_sub(small), self.exponent - 31)
+    }
+
+    /// The product.
+    pub fn times(self, other: Self) -> Self {
+        Self::new(u64::from(self.mantissa) * u64::from(other.mantissa), self.exponent + other.exponent)
+    }
+
+    /// The quotient; of a division by 0 as by the smallest there is.
+    pub fn over(self, other: Self) -> Self {
+        let quotient = (u64::from(self.mantissa) << 32) / u64::from(other.mantissa.max(1));
+        // A divisor that was itself rounded up is 2^-31 too large at most: 4 of at most 2^33.
+        Self::new(quotient + 4 * u64::from(self.mantissa > 0), self.exponent - other.exponent - 32)
+    }
+
+    /// The square root.
+    pub fn root(self) -> Self {
+        let odd = self.exponent & 1;
+        let wide = u64::from(self.mantissa) << (30 + odd);
+        Self::new(wide.isqrt() + u64::from(self.mantissa > 0), (self.exponent - 30 - odd) / 2)
+    }
+
+    /// The larger.
+    pub fn max(self, other: Self) -> Self {
+        if other > self { other } else { self }
+    }
+}
+
+impl Ord for Magnitude {
+    fn cmp(&self, other: &Self) -> Ordering {
+        (self.exponent, self.mantissa).cmp(&(other.exponent, other.mantissa))
+    }
+}
+
+impl PartialOrd for Magnitude {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl fmt::Display for Magnitude {
+    /// In decimals where that is short, to four places; else as a product with a power of two.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { mantissa, exponent } = *self;
+        let mantissa = u64::from(mantissa);
+        match exponent {
+            _ if mantissa == 0 => f.write_str("0"),
+            0..=31 => write!(f, "{}", mantissa << exponent),
+            -45..0 => {
+                let ten_thousandths = (mantissa * 10_000).div_ceil(1 << -exponent);
+                let (whole, part) = (ten_thousandths / 10_000, ten_thousandths % 10_000);
+                if part == 0 { write!(f, "{whole}") } else { write!(f, "{whole}.{part:04}") }
+            }
+            _ => write!(
+                f,
+                "{}.{:03} x 2^{}",
+                mantissa >> 31,
+                ((mantissa & 0x7fff_ffff) * 1000) >> 31,
+                exponent + 31
+            ),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    extern crate std;
+
+    use super::*;
+
+    fn value(m: Magnitude) -> f64 {
+        f64::from(m.mantissa) * 2f64.powi(m.exponent)
+    }
+
+    #[test]
+    fn arithmetic_bounds_from_above_and_closely() {
+        let numbers =
+            [1u64, 2, 3, 7, 10, 1 << 31, (1 << 32) - 1, 1 << 32, (1 << 33) + 1, u64::MAX / 3, u64::MAX];
+        for a in numbers {
+            for b in numbers {
+                for shift in [-70, -33, -1, 0, 5, 40] {
+                    let (m, n) = (Magnitude::new(a, 0), Magnitude::new(b, shift));
+                    let (x, y) = (a as f64, b as f64 * 2f64.powi(shift));
+                    let check = |m: Magnitude, exact: f64, what: &str| {
+                        assert!(
+                            value(m) >= exact * (1.0 - 1e-15),
+                            "{what} of {x} and {y}: {} below {exact}",
+                            value(m)
+                        );
+                        assert!(
+                            value(m) <= exact * (1.0 + 4e-9),
+                            "{what} of {x} and {y}: {} far above {exact}",
+                            value(m)
+                        );
+                    };
+                    check(m.plus(n), x + y, "sum");
+                    check(m.times(n), x * y, "product");
+                    check(m.over(n), x / y, "quotient");
+                    check(n.root(), y.sqrt(), "root");
+                    assert_eq!(m < n, x < y || (x == y && m < n), "order of {x} and {y}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn prints_decimals() {
+        let show = |value, exponent| std::format!("{}", Magnitude::new(value, exponent));
+        assert_eq!(show(32768, 0), "32768");
+        assert_eq!(show(3, -1), "1.5000");
+        assert_eq!(show(1, 40), "1099511627776");
+        assert_eq!(show(3, 99), "1.500 x 2^100");
+        assert_eq!(show(0, 0), "0");
+    }
+}
