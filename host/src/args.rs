@@ -9,6 +9,7 @@ use crate::engine::{Format, MAX_DEPTH, Model};
 use crate::picture::FileType;
 use crate::raster::{Aspect, Size};
 use crate::request::Request;
+use crate::sampling::{Cutoff, Samples};
 use crate::screen::TableKind;
 
 const EXAMPLES: &str = "\
@@ -50,6 +51,18 @@ pub enum Command {
     /// devices are written directly. The bytes do not depend on the number of threads.
     #[command(after_help = EXAMPLES)]
     Render(RenderArgs),
+    /// Put every number format through the cases that break ray tracers, beside f64
+    ///
+    /// One row for each case and format: panics, overflows, lights that are no number, points that shadow themselves,
+    /// wrong hits and misses, and the error in levels of 255. Overflow is found by builds that check every operation:
+    /// cargo run --profile checked -- stability.
+    Stability(StabilityArgs),
+    /// Prove that a scene fits a number format
+    ///
+    /// One row for each quantity of the tracer: the largest size it can have over all rays of the scene, the
+    /// largest the format holds, how many bits are left, and which object sets the bound. A scene that is refused
+    /// is an error that names the row, and the formats that take it.
+    Check(CheckArgs),
 }
 
 /// `rta show`.
@@ -63,6 +76,19 @@ pub struct ShowArgs {
     /// How the picture is traced.
     #[command(flatten)]
     pub tracing: TracingArgs,
+}
+
+/// `rta check`.
+#[derive(Args, Debug)]
+pub struct CheckArgs {
+    /// Scene file (.dat), or - for standard input
+    pub scene: PathBuf,
+    /// Number format
+    #[arg(long, value_enum, default_value_t = Format::Q16)]
+    pub format: Format,
+    /// Shape of the screen
+    #[arg(long, value_name = "RATIO", default_value = "4:3")]
+    pub aspect: Aspect,
 }
 
 /// `rta render`.
@@ -87,6 +113,17 @@ pub struct RenderArgs {
     pub tracing: TracingArgs,
 }
 
+/// `rta stability`.
+#[derive(Args, Debug)]
+pub struct StabilityArgs {
+    /// Rays from the eye, for each case and format
+    #[arg(long, default_value_t = 200_000, value_name = "N")]
+    pub rays: usize,
+    /// Markdown file that gets the table too, in the place that is marked in it for that
+    #[arg(short, long, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+}
+
 /// How a picture is traced, for every command.
 #[derive(Args, Clone, Debug)]
 pub struct TracingArgs {
@@ -99,8 +136,17 @@ pub struct TracingArgs {
     /// Reflections and refractions that a ray is followed through; 0 is what the eye sees directly
     #[arg(long, default_value_t = 5, value_name = "N", value_parser = clap::value_parser!(u32).range(..=i64::from(MAX_DEPTH)))]
     pub depth: u32,
+    /// A ray that would bring less than this part of its light into the pixel is not traced: 1/64, or 0 for all
+    #[arg(long, value_name = "PART", default_value_t = Cutoff::OFF)]
+    pub cutoff: Cutoff,
+    /// Samples of a pixel, on a square grid: 1, 4, 9, 16 ... 1024
+    #[arg(long, value_name = "N", default_value_t = Samples::ONE)]
+    pub samples: Samples,
+    /// Jitter the samples, each in its own cell of the grid, by this seed
+    #[arg(long, value_name = "SEED")]
+    pub jitter: Option<u32>,
     /// Colour table of the device
-    #[arg(long, value_enum, default_value_t = TableKind::Adaptive)]
+    #[arg(long, value_enum, default_value_t = TableKind::Tolerant)]
     pub table: TableKind,
     /// Pixels of the picture [default: the device's; with --device none 320x200]
     ///
@@ -123,8 +169,9 @@ impl TracingArgs {
     /// The request that these arguments make of `target`.
     #[must_use]
     pub fn request(&self, target: Target) -> Request {
-        let Self { format, model, depth, table, size, aspect, .. } = *self;
-        Request { target, table, format, model, depth, size, aspect }
+        let Self { format, model, depth, cutoff, table, size, aspect, .. } = *self;
+        let sampling = self.samples.sampling(self.jitter);
+        Request { target, table, format, model, depth, cutoff, sampling, size, aspect }
     }
 }
 
@@ -134,7 +181,10 @@ impl Default for ShowArgs {
             format: Format::F32,
             model: Model::Rta,
             depth: 5,
-            table: TableKind::Adaptive,
+            cutoff: Cutoff::OFF,
+            samples: Samples::ONE,
+            jitter: None,
+            table: TableKind::Tolerant,
             size: None,
             aspect: None,
             threads: None,

@@ -3,8 +3,9 @@
 use std::io;
 use std::path::{Path, PathBuf};
 
+use crate::check::Refusal;
 use crate::device::Device;
-use crate::engine::EngineError;
+use crate::engine::{EngineError, Format};
 use crate::picture::FileType;
 use crate::raster::Size;
 
@@ -30,6 +31,18 @@ pub enum Error {
         name: String,
         /// Why not.
         source: EngineError,
+    },
+    /// The number format does not admit the scene.
+    #[error("{name} does not fit {format}: {reason}{}", takers(others))]
+    Refused {
+        /// Name of the scene.
+        name: String,
+        /// The format.
+        format: Format,
+        /// Why not.
+        reason: Refusal,
+        /// The formats that do admit it.
+        others: Vec<Format>,
     },
     /// The picture has more pixels than the device.
     #[error("{size} does not fit {device}, which has {}", device.size())]
@@ -95,6 +108,15 @@ impl Error {
             _ => Self::Write { path: path.to_owned(), source },
         }
     }
+}
+
+/// The formats that take what another did not.
+fn takers(formats: &[Format]) -> String {
+    if formats.is_empty() {
+        return String::new();
+    }
+    let names: Vec<_> = formats.iter().map(Format::to_string).collect();
+    format!("; it fits {}", names.join(", "))
 }
 
 /// The system's words without its number.

@@ -10,7 +10,7 @@
 //! | bands of rows on all cores, delivered in order | [`bands`], [`progress`], [`interrupt`] |
 //! | the emulated device with its colour table, and what is read back from it | [`device`], [`screen`] |
 //! | a picture file, complete or not there at all | [`picture`], [`output`] |
-//! | the commands | [`render`] into a file; [`show`], [`frame`] and [`window`] |
+//! | the commands | [`check`]; [`render`] into a file; [`show`], [`frame`] and [`window`] |
 //!
 //! Light is linear all the way and no gamma is applied anywhere: 1 is the brightest level of a gun, which is 255
 //! in a picture file with 8 bits a register.
@@ -18,6 +18,7 @@
 
 pub mod args;
 pub mod bands;
+pub mod check;
 pub mod device;
 pub mod engine;
 pub mod error;
@@ -28,8 +29,11 @@ pub mod picture;
 pub mod progress;
 pub mod raster;
 pub mod render;
+pub mod report;
 pub mod request;
+pub mod sampling;
 pub mod scene;
 pub mod screen;
 pub mod show;
+pub mod stability;
 pub mod window;

@@ -7,7 +7,7 @@ use std::process::ExitCode;
 use clap::Parser;
 use rta::args::{Cli, Command, ShowArgs};
 use rta::error::Error;
-use rta::{interrupt, render, window};
+use rta::{check, interrupt, render, stability, window};
 
 /// Status after any error.
 const FAILED: u8 = 2;
@@ -29,6 +29,8 @@ fn main() -> ExitCode {
         None => window::run(&ShowArgs::default()),
         Some(Command::Show(args)) => window::run(&args),
         Some(Command::Render(args)) => render::run(&args),
+        Some(Command::Stability(args)) => stability::run(&args),
+        Some(Command::Check(args)) => check::run(&args),
     };
     match outcome {
         Ok(()) | Err(Error::BrokenPipe) => ExitCode::SUCCESS,

@@ -264,12 +264,9 @@ macro_rules! fixed_point {
             fn odd_far_tile(self, slope: I2F30, height: Self, fall: I2F30) -> bool {
                 let way = Reciprocal::of(fall.to_bits().unsigned_abs()).times(height.to_bits());
                 let slope = i64::from(slope.to_bits());
-                // Near enough the way keeps its fraction; farther, whole units are finer than the rounding of `fall`.
-                let offset = if way < 1 << 32 {
-                    shift_right(way * slope, UNIT_BITS)
-                } else {
-                    ((way.min(1 << 46) >> $bits) * slope) >> (UNIT_BITS - $bits)
-                };
+                // 32 bits of the way are as many as the fall has.
+                let cut = (64 - way.leading_zeros()).saturating_sub(32);
+                let offset = shift_right((way >> cut) * slope, UNIT_BITS - cut);
                 (i64::from(self.to_bits()) + offset).div_euclid(3 << $bits) & 1 == 1
             }
             fn power(mantissa: u32, exponent: i16) -> Power {
