@@ -8,7 +8,7 @@
 //!
 //! | step | where |
 //! | --- | --- |
-//! | [`raster::Pixels`] picks the pixel | `raster.rs` |
+//! | [`raster::Pixels`] picks the pixel, or [`sampling::Supersampled`] with several samples in it | `raster.rs`, `sampling.rs` |
 //! | [`camera::Camera`] makes the primary ray | `camera.rs` |
 //! | [`trace::Tracer`] pops a pending ray, asks the scene, asks the model, pushes what the model wants traced | `trace.rs` |
 //! | [`scene::Scene`] finds the nearest hit | `scene.rs`, `shape/*.rs` |
@@ -49,6 +49,7 @@ pub mod needs;
 pub mod range;
 pub mod raster;
 pub mod ray;
+pub mod sampling;
 pub mod scalar;
 pub mod scene;
 pub mod shape;
@@ -67,6 +68,7 @@ pub mod prelude {
     pub use crate::material::Material;
     pub use crate::needs::{Everything, Needs};
     pub use crate::raster::{Pixels, Raster};
+    pub use crate::sampling::{Sampling, Supersampled};
     pub use crate::scalar::{Light, Scalar, Unit};
     pub use crate::scene::{Floor, Scene, Sky};
     pub use crate::shape::{Cylinder, Ellipsoid, Sphere};

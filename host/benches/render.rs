@@ -3,7 +3,7 @@
 //! `cargo bench -p rta` prints wall-clock times; they are quiet only on a quiet machine.
 
 use divan::Bencher;
-use rta::engine::{Engine, Format, Model, Settings};
+use rta::engine::{Engine, Format, Settings};
 use rta_core::color::Rgb;
 use rta_scenes::{dat, shipped};
 
@@ -16,7 +16,7 @@ fn main() {
 fn picture<const SCENE: usize>(bencher: Bencher, format: Format) {
     let (name, text) = shipped::ALL[SCENE];
     let scene = dat::read(text.as_bytes(), name).expect("a shipped scene");
-    let settings = Settings { width: 320, height: 200, aspect: 4.0 / 3.0, format, model: Model::Rta, depth: 5 };
+    let settings = Settings { format, ..Settings::default() };
     let engine = Engine::new(&scene, &settings).expect("a shipped scene fits every format");
     let mut picture = vec![Rgb::default(); 320 * 200];
     bencher.bench_local(|| engine.level_rows(0, 255, &mut picture));

@@ -6,10 +6,14 @@ use rta_core::color::Rgb;
 use rta_core::illumination::{Illumination, Rta, Whitted};
 use rta_core::needs::Everything;
 use rta_core::raster::{Pixels, Raster};
+use rta_core::sampling::{Sampling, Supersampled};
+use rta_core::scalar::Unit;
 use rta_core::trace::Tracer;
 use rta_core::{Error, Q16, Q20};
 use rta_scenes::description::Description;
 use rta_scenes::narrow::{Narrow, NarrowError, Narrowed, narrow};
+
+use crate::sampling::Cutoff;
 
 /// The number format that a picture is computed in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, clap::ValueEnum)]
@@ -68,6 +72,27 @@ pub struct Settings {
     pub model: Model,
     /// Recursion depth, 0 to [`MAX_DEPTH`].
     pub depth: u32,
+    /// Rays that would bring a smaller part of their light into the pixel are not traced.
+    pub cutoff: Cutoff,
+    /// Samples of a pixel. The light of one in its middle is kept as it is; the mean of several is that of displayable
+    /// light (see [`Sampling::mean`]).
+    pub sampling: Sampling,
+}
+
+impl Default for Settings {
+    /// The raster of a PS/2 on its 4 : 3 screen, in `f32`, with the thesis's model, depth 5 and one sample a pixel.
+    fn default() -> Self {
+        Self {
+            width: 320,
+            height: 200,
+            aspect: 4.0 / 3.0,
+            format: Format::F32,
+            model: Model::Rta,
+            depth: 5,
+            cutoff: Cutoff::OFF,
+            sampling: Sampling::CENTER,
+        }
+    }
 }
 
 /// The deepest recursion: the capacity of the tracer's stack of pending rays.
@@ -101,20 +126,28 @@ struct Picture<S: Narrow, M> {
     scene: Narrowed<S>,
     model: M,
     depth: u32,
+    cutoff: Cutoff,
+    sampling: Sampling,
     raster: Raster,
 }
 
 impl<S: Narrow, M: Illumination<S> + Copy> Picture<S, M> {
     fn tracer(&self) -> Result<Tracer<'_, S, M, Everything, { MAX_DEPTH as usize }>, Error> {
-        Tracer::new(self.scene.scene().admit(&self.scene.camera)?, self.model, self.depth)
+        let cutoff = S::Unit::ratio(self.cutoff.numerator(), self.cutoff.denominator());
+        let admitted = self.scene.scene().admit(&self.scene.camera)?;
+        Ok(Tracer::new(admitted, self.model, self.depth)?.with_cutoff(cutoff))
     }
 
     /// The pixels from row `first` on; `new` has made sure that there is a tracer.
     fn each<T>(&self, first: u32, out: &mut [T], convert: impl Fn(Rgb<S::Light>) -> T) {
         let Ok(tracer) = self.tracer() else { return };
-        let pixels = Pixels::rows(&tracer, &self.scene.camera, self.raster, first, self.raster.height());
-        for (pixel, light) in out.iter_mut().zip(pixels) {
-            *pixel = convert(light);
+        let (camera, raster, end) = (&self.scene.camera, self.raster, self.raster.height());
+        let fill = |(pixel, light): (&mut T, _)| *pixel = convert(light);
+        if self.sampling == Sampling::CENTER {
+            out.iter_mut().zip(Pixels::rows(&tracer, camera, raster, first, end)).for_each(fill);
+        } else {
+            let pixels = Supersampled::rows(&tracer, camera, raster, self.sampling, first, end);
+            out.iter_mut().zip(pixels).for_each(fill);
         }
     }
 }
@@ -173,8 +206,8 @@ fn picture<S: Narrow, M: Illumination<S> + Copy + 'static>(
     model: M,
 ) -> Result<Box<dyn Rows>, EngineError> {
     let raster = Raster::new(settings.width, settings.height)?;
-    let picture =
-        Picture { scene: narrow::<S>(scene, settings.aspect)?, model, depth: settings.depth, raster };
+    let Settings { aspect, depth, cutoff, sampling, .. } = *settings;
+    let picture = Picture { scene: narrow::<S>(scene, aspect)?, model, depth, cutoff, sampling, raster };
     picture.tracer()?;
     Ok(Box::new(picture))
 }

@@ -1,10 +1,13 @@
 //! What is asked for: a picture of a scene, on a display, traced in some way.
 
+use rta_core::sampling::Sampling;
+
 use crate::device::Target;
 use crate::engine::{Engine, Format, Model, Settings};
 use crate::error::Error;
 use crate::picture::Caption;
 use crate::raster::{Aspect, Size};
+use crate::sampling::Cutoff;
 use crate::scene::Scene;
 use crate::screen::TableKind;
 
@@ -21,6 +24,10 @@ pub struct Request {
     pub model: Model,
     /// Greatest depth of a ray.
     pub depth: u32,
+    /// Part of its light below which a ray is not traced.
+    pub cutoff: Cutoff,
+    /// Samples of a pixel.
+    pub sampling: Sampling,
     /// Pixels, or the display's own.
     pub size: Option<Size>,
     /// Shape of the screen, or the display's own.
@@ -68,6 +75,8 @@ impl Request {
             format: self.format,
             model: self.model,
             depth: self.depth,
+            cutoff: self.cutoff,
+            sampling: self.sampling,
         };
         let failed = |source| Error::Engine { name: scene.source.clone(), source };
         Engine::new(&scene.description, &settings).map_err(failed)
@@ -76,12 +85,19 @@ impl Request {
     /// Words for a picture of `scene`.
     #[must_use]
     pub fn caption(&self, scene: &Scene) -> Caption {
-        let Self { target, table, format, model, depth, .. } = self;
+        let Self { target, table, format, model, depth, cutoff, sampling, .. } = self;
         let table = match target {
             Target::On(_) => format!(", {table} colour table"),
             Target::None => String::new(),
         };
-        let settings = format!("device {target}{table}, format {format}, model {model}, depth {depth}");
+        let mut settings = format!("device {target}{table}, format {format}, model {model}, depth {depth}");
+        if *cutoff != Cutoff::OFF {
+            settings += &format!(", cut-off {cutoff}");
+        }
+        if *sampling != Sampling::CENTER {
+            let grid = if sampling.is_jittered() { "jittered" } else { "regular" };
+            settings += &format!(", {} {grid} samples a pixel", sampling.samples());
+        }
         Caption { title: scene.title.clone(), settings }
     }
 }

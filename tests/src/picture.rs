@@ -1,12 +1,12 @@
 //! Pictures in linear light, and how far two of them are apart.
 
-use rta::engine::{Engine, EngineError, Format, Model, Settings};
+use rta::engine::{Engine, EngineError, Format, Settings};
 use rta_core::color::Rgb;
 use rta_scenes::description::Description;
 
 /// The raster of a PS/2 on its 4 : 3 screen, depth 5: what the specification's figures are stated for.
 pub fn settings(format: Format) -> Settings {
-    Settings { width: 320, height: 200, aspect: 4.0 / 3.0, format, model: Model::Rta, depth: 5 }
+    Settings { format, ..Settings::default() }
 }
 
 /// Renders a scene; top row first, not clamped.
