@@ -1,0 +1,102 @@
+//! What a format's numbers are, as `f64`: the reference is given the very numbers that the format was given.
+
+use rta_core::{Q16, Q20};
+use rta_scenes::description::{Description, Surface};
+use rta_scenes::narrow::Narrow;
+
+/// A format whose numbers can be read. Every length and unit of the formats of 32 bits is an `f64`.
+pub trait Exact: Narrow {
+    /// A length as it is.
+    fn read_length(self) -> f64;
+    /// A component or coefficient as it is.
+    fn read_unit(unit: Self::Unit) -> f64;
+}
+
+macro_rules! float {
+    ($f:ty) => {
+        impl Exact for $f {
+            fn read_length(self) -> f64 {
+                f64::from(self)
+            }
+            fn read_unit(unit: Self) -> f64 {
+                f64::from(unit)
+            }
+        }
+    };
+}
+
+macro_rules! fixed_point {
+    ($f:ty) => {
+        impl Exact for $f {
+            fn read_length(self) -> f64 {
+                self.to_num()
+            }
+            fn read_unit(unit: Self::Unit) -> f64 {
+                unit.to_num()
+            }
+        }
+    };
+}
+
+float!(f32);
+float!(f64);
+fixed_point!(Q16);
+fixed_point!(Q20);
+
+/// The scene with each number rounded to what `S` makes of it. What is beyond the range of the format stays as it is, so
+/// that it is refused for what it is; so do radiances and intensities.
+#[must_use]
+pub fn rounded<S: Exact>(scene: &Description) -> Description {
+    let mut scene = scene.clone();
+    let length = |value: &mut f64| {
+        if value.abs() < S::largest() {
+            *value = S::length(*value).read_length();
+        }
+    };
+    let radius = |value: &mut f64| {
+        if *value >= S::SMALLEST_RADIUS {
+            length(value);
+        }
+    };
+    let unit = |value: &mut f64| {
+        if value.abs() <= S::LARGEST_COLOR {
+            *value = S::read_unit(S::unit(*value));
+        }
+    };
+    let surface = |surface: &mut Surface| {
+        if let Surface::Transparent { ks, kt, ior } = surface {
+            unit(ks);
+            unit(kt);
+            let mut eta = if *ior > 1.0 { 1.0 / *ior } else { *ior };
+            unit(&mut eta);
+            *ior = if *ior > 1.0 { 1.0 / eta } else { eta };
+        }
+    };
+    scene.camera.eye.iter_mut().for_each(length);
+    for cylinder in &mut scene.cylinders {
+        cylinder.position.iter_mut().for_each(length);
+        cylinder.color.iter_mut().for_each(unit);
+        radius(&mut cylinder.radius);
+        surface(&mut cylinder.surface);
+    }
+    for ellipsoid in &mut scene.ellipsoids {
+        ellipsoid.position.iter_mut().for_each(length);
+        ellipsoid.color.iter_mut().for_each(unit);
+        ellipsoid.radii.iter_mut().for_each(radius);
+        surface(&mut ellipsoid.surface);
+    }
+    for sphere in &mut scene.spheres {
+        sphere.position.iter_mut().for_each(length);
+        sphere.color.iter_mut().for_each(unit);
+        radius(&mut sphere.radius);
+        surface(&mut sphere.surface);
+    }
+    for lamp in &mut scene.lamps {
+        lamp.position.iter_mut().for_each(length);
+        radius(&mut lamp.radius);
+    }
+    if let Some(floor) = &mut scene.floor {
+        floor.colors.as_flattened_mut().iter_mut().for_each(unit);
+    }
+    scene
+}
