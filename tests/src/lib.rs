@@ -1,5 +1,9 @@
 //! What holds rta together: an independent oracle, generated scenes, and how pictures are compared.
 
+pub mod close;
+pub mod exact;
+pub mod golden;
+pub mod measure;
 pub mod oracle;
 pub mod picture;
 pub mod random_scenes;

@@ -1,0 +1,152 @@
+//! Pictures in fixed point, bit by bit.
+
+use core::sync::atomic::AtomicBool;
+
+use rta::bands;
+use rta::raster::Size;
+use rta_core::color::Rgb;
+use rta_core::illumination::{Illumination, Rta};
+use rta_core::needs::{Everything, Needs};
+use rta_core::raster::{Pixels, Raster};
+use rta_core::trace::Tracer;
+use rta_core::vector::Vector;
+use rta_core::{Error, Q16};
+use rta_scenes::description::Description;
+use rta_scenes::narrow::{Narrowed, narrow};
+use rta_scenes::{dat, shipped};
+
+/// The light of a pixel as the bits of its three Q16.16 registers.
+pub type Bits = Rgb<i32>;
+
+/// Depth of rays where nothing else is said.
+pub const DEPTH: u32 = 5;
+
+/// Capacity of the ray stack here.
+const STACK: usize = 32;
+
+/// A scene in Q16.16 and the raster to draw it on.
+#[derive(Debug)]
+pub struct Exact {
+    scene: Narrowed<Q16>,
+    raster: Raster,
+}
+
+impl Exact {
+    /// A scene as it is seen on a 4 : 3 screen of `width` x `height` pixels.
+    ///
+    /// # Panics
+    /// Where the scene does not fit Q16.16 or the raster is none: these are scenes made for tests.
+    #[must_use]
+    pub fn new(scene: &Description, width: u32, height: u32) -> Self {
+        let scene = narrow::<Q16>(scene, 4.0 / 3.0).expect("the scene fits Q16.16");
+        Self { scene, raster: Raster::new(width, height).expect("a raster") }
+    }
+
+    /// The scene in its format.
+    #[must_use]
+    pub const fn scene(&self) -> &Narrowed<Q16> {
+        &self.scene
+    }
+
+    /// The rows from `first` on that fill `out`, with any model and needs.
+    ///
+    /// # Errors
+    /// Those of [`Tracer::new`] and of the range check.
+    pub fn rows<M: Illumination<Q16>, N: Needs>(
+        &self,
+        model: M,
+        depth: u32,
+        first: u32,
+        out: &mut [Bits],
+    ) -> Result<(), Error> {
+        let admitted = self.scene.scene().admit(&self.scene.camera)?;
+        let tracer: Tracer<_, M, N, STACK> = Tracer::new(admitted, model, depth)?;
+        let pixels = Pixels::rows(&tracer, &self.scene.camera, self.raster, first, self.raster.height());
+        for (pixel, light) in out.iter_mut().zip(pixels) {
+            *pixel = light.map(|register| register.0.to_bits());
+        }
+        Ok(())
+    }
+
+    /// The whole picture.
+    ///
+    /// # Errors
+    /// As [`Exact::rows`].
+    pub fn picture<M: Illumination<Q16>, N: Needs>(&self, model: M, depth: u32) -> Result<Vec<Bits>, Error> {
+        let mut pixels = vec![Bits::default(); self.pixels()];
+        self.rows::<M, N>(model, depth, 0, &mut pixels)?;
+        Ok(pixels)
+    }
+
+    /// The whole picture in the thesis's model, by as many threads as are asked for.
+    ///
+    /// # Errors
+    /// Those of the threads and of the bands.
+    pub fn threaded(&self, threads: u16) -> Result<Vec<Bits>, rta::error::Error> {
+        let size = Size::new(self.raster.width(), self.raster.height()).expect("a size");
+        let mut pixels = Vec::with_capacity(size.pixels());
+        let trace = |first, out: &mut [Bits]| {
+            self.rows::<_, Everything>(Rta, DEPTH, first, out).expect("the scene is admitted");
+        };
+        bands::bands(size, &bands::pool(Some(threads))?, &AtomicBool::new(false), trace, |_, band| {
+            pixels.extend(band);
+            Ok(())
+        })?;
+        Ok(pixels)
+    }
+
+    /// Number of pixels.
+    #[must_use]
+    pub const fn pixels(&self) -> usize {
+        self.raster.width() as usize * self.raster.height() as usize
+    }
+
+    /// Pixels in a row.
+    #[must_use]
+    pub const fn columns(&self) -> usize {
+        self.raster.width() as usize
+    }
+
+    /// The eye's coordinates as bits, to tell scenes apart in messages.
+    #[must_use]
+    pub fn eye(&self) -> [i32; 3] {
+        let eye = self.scene.camera.eye;
+        [eye.x(), eye.y(), eye.z()].map(|c| c.to_bits())
+    }
+}
+
+/// A scene that comes with rta, by its name without extension.
+///
+/// # Panics
+/// Where there is none of that name.
+#[must_use]
+pub fn shipped_scene(name: &str) -> Description {
+    let file = format!("{name}.dat");
+    let (_, text) = shipped::ALL.iter().find(|(known, _)| *known == file).expect("a shipped scene");
+    dat::read(text.as_bytes(), &file).expect("a shipped scene is well formed")
+}
+
+/// FNV-1a, 64 bits (Fowler, Noll and Vo).
+pub fn fnv1a(bytes: impl IntoIterator<Item = u8>) -> u64 {
+    bytes.into_iter().fold(0xcbf2_9ce4_8422_2325, |hash, byte| {
+        (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3)
+    })
+}
+
+/// [`fnv1a`] of a picture: red, green, blue, each four bytes, little endian.
+#[must_use]
+pub fn hash(pixels: &[Bits]) -> u64 {
+    fnv1a(pixels.iter().flat_map(|p| [p.r, p.g, p.b]).flat_map(i32::to_le_bytes))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::fnv1a;
+
+    #[test]
+    fn the_hash_is_that_of_its_authors() {
+        assert_eq!(fnv1a([]), 0xcbf2_9ce4_8422_2325);
+        assert_eq!(fnv1a(*b"a"), 0xaf63_dc4c_8601_ec8c);
+        assert_eq!(fnv1a(*b"foobar"), 0x8594_4171_f739_67e8);
+    }
+}

@@ -1,0 +1,108 @@
+//! Reading the numbers of every format, and how exact each format is.
+
+use rta_core::color::Rgb;
+use rta_core::scalar::Radiance;
+use rta_core::vector::{UnitVec3, Vec3, Vector};
+use rta_core::{Q16, Q20};
+use rta_scenes::narrow::Narrow;
+
+/// A number format whose values a test can read, with the rounding that it must do with.
+pub trait Measure: Narrow {
+    /// One rounding of a length of about ten units.
+    const LENGTH: f64;
+    /// One rounding of a component of a unit vector.
+    const UNIT: f64;
+    /// One rounding of a radiance of about one.
+    const LIGHT: f64;
+
+    /// A length as it is.
+    fn read_length(self) -> f64;
+    /// A component or coefficient as it is.
+    fn read_unit(unit: Self::Unit) -> f64;
+    /// A radiance as it is.
+    fn read_light(light: Self::Light) -> f64;
+}
+
+macro_rules! fixed {
+    ($f:ty, $lsb:expr) => {
+        impl Measure for $f {
+            const LENGTH: f64 = $lsb;
+            const UNIT: f64 = 1.0 / 1_073_741_824.0;
+            const LIGHT: f64 = 1.0 / 65_536.0;
+
+            fn read_length(self) -> f64 {
+                self.to_num()
+            }
+            fn read_unit(unit: Self::Unit) -> f64 {
+                unit.to_num()
+            }
+            fn read_light(light: Radiance) -> f64 {
+                light.0.to_num()
+            }
+        }
+    };
+}
+
+fixed!(Q16, 1.0 / 65_536.0);
+fixed!(Q20, 1.0 / 1_048_576.0);
+
+macro_rules! float {
+    ($f:ty) => {
+        impl Measure for $f {
+            const LENGTH: f64 = 8.0 * <$f>::EPSILON as f64;
+            const UNIT: f64 = <$f>::EPSILON as f64;
+            const LIGHT: f64 = <$f>::EPSILON as f64;
+
+            fn read_length(self) -> f64 {
+                f64::from(self)
+            }
+            fn read_unit(unit: Self) -> f64 {
+                f64::from(unit)
+            }
+            fn read_light(light: Self) -> f64 {
+                f64::from(light)
+            }
+        }
+    };
+}
+
+float!(f32);
+float!(f64);
+
+/// Three lengths in a format.
+#[must_use]
+pub fn place<S: Measure>([x, y, z]: [f64; 3]) -> Vec3<S> {
+    Vector::new(S::length(x), S::length(y), S::length(z))
+}
+
+/// A direction in a format, from a vector of any length but 0.
+#[must_use]
+pub fn direction<S: Measure>(v: [f64; 3]) -> UnitVec3<S> {
+    let length = v.iter().map(|c| c * c).sum::<f64>().sqrt();
+    let [x, y, z] = v.map(|c| S::unit(c / length));
+    Vector::new(x, y, z)
+}
+
+/// A reflectance in a format.
+#[must_use]
+pub fn color<S: Measure>([r, g, b]: [f64; 3]) -> Rgb<S::Unit> {
+    Rgb::new(S::unit(r), S::unit(g), S::unit(b))
+}
+
+/// A radiance in a format.
+#[must_use]
+pub fn light<S: Measure>([r, g, b]: [f64; 3]) -> Rgb<S::Light> {
+    Rgb::new(S::light(r), S::light(g), S::light(b))
+}
+
+/// The components of a direction.
+#[must_use]
+pub fn read_direction<S: Measure>(v: UnitVec3<S>) -> [f64; 3] {
+    [v.x(), v.y(), v.z()].map(S::read_unit)
+}
+
+/// The registers of a radiance.
+#[must_use]
+pub fn read_light<S: Measure>(light: Rgb<S::Light>) -> [f64; 3] {
+    [light.r, light.g, light.b].map(S::read_light)
+}

@@ -1,0 +1,47 @@
+//! Fixed point draws the same bytes: in debug and in release, by any number of threads, in any order of rows.
+
+use rta_core::illumination::Rta;
+use rta_core::needs::Everything;
+use rta_tests::exact::{Bits, DEPTH, Exact, hash, shipped_scene};
+
+/// What every build on every machine must draw at 320 x 200: [`hash`] of each shipped scene.
+const HASHES: [(&str, u64); 3] = [
+    ("juggler", 0x253b_5d14_58f4_15ba),
+    ("hall-22", 0xf5ee_d6be_82c1_9f18),
+    ("glass-2", 0xad6b_9898_23bb_d947),
+];
+
+#[test]
+fn every_build_draws_the_same_bytes() {
+    let got = HASHES.map(|(name, _)| {
+        let picture = Exact::new(&shipped_scene(name), 320, 200).picture::<_, Everything>(Rta, DEPTH);
+        (name, hash(&picture.expect("it is drawn")))
+    });
+    assert!(got == HASHES, "got {got:#x?}, want {HASHES:#x?}");
+}
+
+#[test]
+fn any_number_of_threads_draws_the_same_bytes() {
+    for (name, want) in HASHES {
+        let exact = Exact::new(&shipped_scene(name), 320, 200);
+        for threads in [1, 2, 3, 7] {
+            let got = hash(&exact.threaded(threads).expect("nothing stops it"));
+            assert_eq!(got, want, "{name} by {threads} threads");
+        }
+    }
+}
+
+#[test]
+fn any_order_of_rows_draws_the_same_bytes() {
+    let mut dice = fastrand::Rng::with_seed(7);
+    for (name, want) in HASHES {
+        let exact = Exact::new(&shipped_scene(name), 320, 200);
+        let mut pixels = vec![Bits::default(); exact.pixels()];
+        let mut rows: Vec<_> = (0_u32..).zip(pixels.chunks_mut(exact.columns())).collect();
+        dice.shuffle(&mut rows);
+        for (y, row) in rows {
+            exact.rows::<_, Everything>(Rta, DEPTH, y, row).expect("it is drawn");
+        }
+        assert_eq!(hash(&pixels), want, "{name} with its rows shuffled");
+    }
+}
