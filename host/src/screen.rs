@@ -22,9 +22,10 @@ use crate::raster::Size;
 /// How the entries of a device's colour table are chosen.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum TableKind {
-    /// Built while the picture is drawn, as the thesis does; the nearest entry once it is full.
+    /// The thesis's way to the letter: built while the picture is drawn, the nearest entry once it is full.
     Adaptive,
-    /// Adaptive, but what is nearly an entry shares it: a smooth sky leaves room for what is below it.
+    /// The thesis's way with a small tolerance: what is nearly an entry shares it, so that a smooth sky leaves room
+    /// for what is below it.
     Tolerant,
     /// The same evenly spaced colours for every picture.
     Uniform,

@@ -34,11 +34,11 @@ fn pixels(show: &mut Show) -> Pixels {
 fn keys_change_the_picture_and_back() {
     let mut show = show(Scene::juggler().expect("it is well formed"));
     complete(&mut show);
-    assert!(show.title().contains("juggler | vga | f32 | rta | depth 5 | adaptive | "), "{}", show.title());
+    assert!(show.title().contains("juggler | vga | f32 | rta | depth 5 | tolerant | "), "{}", show.title());
     let first = pixels(&mut show);
     for (there, back, word) in [
         (vec![Command::Model], vec![Command::Model], "| whitted |"),
-        (vec![Command::Table; 2], vec![Command::Table], "| uniform |"),
+        (vec![Command::Table], vec![Command::Table; 2], "| uniform |"),
         (vec![Command::Shallower; 5], vec![Command::Deeper; 5], "| depth 0 |"),
         (
             vec![Command::Format, Command::Model],
