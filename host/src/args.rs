@@ -2,10 +2,12 @@
 
 use std::path::PathBuf;
 
-use clap::{Args, Parser, Subcommand};
+use clap::builder::{PossibleValuesParser, TypedValueParser};
+use clap::{Args, Parser, Subcommand, ValueEnum};
 
 use crate::device::{Device, Target};
 use crate::engine::{Format, MAX_DEPTH, Model};
+use crate::explain::Choice;
 use crate::picture::FileType;
 use crate::raster::{Aspect, Size};
 use crate::request::Request;
@@ -63,6 +65,11 @@ pub enum Command {
     /// largest the format holds, how many bits are left, and which object sets the bound. A scene that is refused
     /// is an error that names the row, and the formats that take it.
     Check(CheckArgs),
+    /// Tell why a pixel is what it is in a number format, beside f64
+    ///
+    /// Its colour in both, its ray tree in both, the first decision that came out otherwise with both operands, and the
+    /// operations of the tracer that lost most, each with its place in the source.
+    Explain(ExplainArgs),
 }
 
 /// `rta show`.
@@ -89,6 +96,41 @@ pub struct CheckArgs {
     /// Shape of the screen
     #[arg(long, value_name = "RATIO", default_value = "4:3")]
     pub aspect: Aspect,
+}
+
+/// `rta explain`.
+#[derive(Args, Debug)]
+pub struct ExplainArgs {
+    /// Scene file (.dat), or - for standard input
+    pub scene: PathBuf,
+    /// Column and row from 0,0 in the upper left corner, or worst: the one whose colour is farthest off
+    #[arg(long, value_name = "X,Y")]
+    pub pixel: Choice,
+    /// Number format that is put beside f64
+    #[arg(long, default_value = "q16", value_parser = PossibleValuesParser::new(["f32", "q16", "q20"])
+        .try_map(|name| Format::from_str(&name, false)))]
+    pub format: Format,
+    /// Illumination model
+    #[arg(long, value_enum, default_value_t = Model::Rta)]
+    pub model: Model,
+    /// Reflections and refractions that a ray is followed through; 0 is what the eye sees directly
+    #[arg(long, default_value_t = 5, value_name = "N", value_parser = clap::value_parser!(u32).range(..=i64::from(MAX_DEPTH)))]
+    pub depth: u32,
+    /// Pixels of the picture [default: 320x200]
+    #[arg(long, value_name = "WxH")]
+    pub size: Option<Size>,
+    /// Shape of the screen, as 4:3 or 1.333 [default: square pixels, except that 320x200 is a 4:3 screen]
+    #[arg(long, value_name = "RATIO")]
+    pub aspect: Option<Aspect>,
+}
+
+impl ExplainArgs {
+    /// The picture to which the pixel belongs: one ray through the middle of each pixel, without a device.
+    #[must_use]
+    pub fn request(&self) -> Request {
+        let Self { format, model, depth, size, aspect, .. } = *self;
+        Request { format, model, depth, size, aspect, ..ShowArgs::default().tracing.request(Target::None) }
+    }
 }
 
 /// `rta render`.

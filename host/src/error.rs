@@ -60,6 +60,16 @@ pub enum Error {
         /// The limits.
         reason: crate::raster::RasterError,
     },
+    /// The picture has no such pixel.
+    #[error("pixel {x},{y} is outside the picture, which has columns 0 to {} and rows 0 to {}", size.width() - 1, size.height() - 1)]
+    PixelOutside {
+        /// Column.
+        x: u32,
+        /// Row.
+        y: u32,
+        /// The picture.
+        size: Size,
+    },
     /// The name of the output does not tell what kind of file to write.
     #[error("{}: no known picture format; use a name in .png, .ppm or .pfm, or --as", .0.display())]
     UnknownExtension(PathBuf),

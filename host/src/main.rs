@@ -7,7 +7,7 @@ use std::process::ExitCode;
 use clap::Parser;
 use rta::args::{Cli, Command, ShowArgs};
 use rta::error::Error;
-use rta::{check, interrupt, render, stability, window};
+use rta::{check, explain, interrupt, render, stability, window};
 
 /// Status after any error.
 const FAILED: u8 = 2;
@@ -31,6 +31,7 @@ fn main() -> ExitCode {
         Some(Command::Render(args)) => render::run(&args),
         Some(Command::Stability(args)) => stability::run(&args),
         Some(Command::Check(args)) => check::run(&args),
+        Some(Command::Explain(args)) => explain::run(&args),
     };
     match outcome {
         Ok(()) | Err(Error::BrokenPipe) => ExitCode::SUCCESS,

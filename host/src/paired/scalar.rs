@@ -1,0 +1,184 @@
+//! The arithmetic of both twins, each by its own rules.
+
+use rta_core::range::Magnitude;
+use rta_core::scalar::{Light, Scalar, Unit};
+use rta_scenes::narrow::Narrow;
+
+use super::{Bare, Format, Paired, PairedVector, UnitFormat, Value, log};
+
+impl<S: Format> Scalar for Paired<S> {
+    type Unit = Paired<S::Unit>;
+    type Wide = Paired<S::Wide>;
+    type Light = Paired<S::Light>;
+    type Power = Bare<S::Power>;
+    type Inverse = Bare<S::Inverse>;
+    type Vector = PairedVector<S::Vector>;
+    type UnitVector = PairedVector<S::UnitVector>;
+
+    const ZERO: Self = Self { format: S::ZERO, twin: 0.0 };
+    // The twin's world ends where the format's does.
+    const FAR: Self = Self { format: S::FAR, twin: S::FARTHEST };
+    const LARGEST_SQUARE: Magnitude = S::LARGEST_SQUARE;
+    const LARGEST_PRODUCT: Magnitude = S::LARGEST_PRODUCT;
+    const LARGEST_STRETCH: Magnitude = S::LARGEST_STRETCH;
+    const CLEARANCE: Magnitude = S::CLEARANCE;
+
+    fn size(self) -> Magnitude {
+        Scalar::size(self.format)
+    }
+    fn at_most(size: Magnitude) -> Self {
+        let format = S::at_most(size);
+        Self { format, twin: format.value() }
+    }
+    fn power_size(power: Self::Power) -> Magnitude {
+        S::power_size(power.format)
+    }
+    #[track_caller]
+    fn scale(self, factor: Self::Unit) -> Self {
+        Self { format: self.format.scale(factor.format), twin: self.twin.scale(factor.twin) }
+            .noted("scale", [self.error(), factor.error()])
+    }
+    #[track_caller]
+    fn square(self) -> Self::Wide {
+        Paired { format: self.format.square(), twin: self.twin.square() }.noted("square", [self.error()])
+    }
+    #[track_caller]
+    fn sqrt(square: Self::Wide) -> Self {
+        Self { format: S::sqrt(square.format), twin: <f64 as Scalar>::sqrt(square.twin) }
+            .noted("sqrt", [square.error()])
+    }
+    fn inverse(self) -> Self::Inverse {
+        Bare { format: self.format.inverse(), twin: self.twin.inverse() }
+    }
+    #[track_caller]
+    fn fraction(self, whole: Self::Inverse) -> Self::Unit {
+        Paired { format: self.format.fraction(whole.format), twin: self.twin.fraction(whole.twin) }
+            .noted("fraction", [self.error()])
+    }
+    #[track_caller]
+    fn stretch(self, slope: <Self::Unit as Unit>::Inverse) -> Self {
+        let twin = self.twin.stretch(slope.twin).clamp(-S::FARTHEST, S::FARTHEST);
+        Self { format: self.format.stretch(slope.format), twin }.noted("stretch", [self.error()])
+    }
+    #[track_caller]
+    fn over(self, slope: Self::Unit) -> Self {
+        let twin = Scalar::over(self.twin, slope.twin).min(S::FARTHEST);
+        Self { format: Scalar::over(self.format, slope.format), twin }
+            .noted("over", [self.error(), slope.error()])
+    }
+    #[track_caller]
+    fn odd_tile(self) -> bool {
+        let (format, twin) = (self.format.odd_tile(), self.twin.odd_tile());
+        log::decision("odd_tile", self.values(), [3.0, 3.0], format, twin);
+        format
+    }
+    #[track_caller]
+    fn odd_far_tile(self, slope: Self::Unit, height: Self, fall: Self::Unit) -> bool {
+        let format = self.format.odd_far_tile(slope.format, height.format, fall.format);
+        let twin = self.twin.odd_far_tile(slope.twin, height.twin, fall.twin);
+        log::decision("odd_far_tile", self.values(), fall.values(), format, twin);
+        format
+    }
+    fn power(mantissa: u32, exponent: i16) -> Self::Power {
+        Bare {
+            format: <S as Scalar>::power(mantissa, exponent),
+            twin: <f64 as Scalar>::power(mantissa, exponent),
+        }
+    }
+    #[track_caller]
+    fn intensity(power: Self::Power) -> Self::Light {
+        Paired { format: S::intensity(power.format), twin: <f64 as Scalar>::intensity(power.twin) }
+            .noted("intensity", [])
+    }
+    #[track_caller]
+    fn fall_off(power: Self::Power, distance: Self::Inverse) -> Self::Light {
+        Paired {
+            format: S::fall_off(power.format, distance.format),
+            twin: <f64 as Scalar>::fall_off(power.twin, distance.twin),
+        }
+        .noted("fall_off", [])
+    }
+}
+
+impl<U: UnitFormat> Unit for Paired<U> {
+    type Inverse = Bare<U::Inverse>;
+    const ZERO: Self = Self { format: U::ZERO, twin: 0.0 };
+    const ONE: Self = Self { format: U::ONE, twin: 1.0 };
+    const LARGEST: Magnitude = U::LARGEST;
+    fn size(self) -> Magnitude {
+        Unit::size(self.format)
+    }
+    #[track_caller]
+    fn ratio(numerator: i64, denominator: i64) -> Self {
+        Self { format: U::ratio(numerator, denominator), twin: <f64 as Unit>::ratio(numerator, denominator) }
+            .noted("ratio", [])
+    }
+    #[track_caller]
+    fn times(self, factor: Self) -> Self {
+        Self { format: self.format.times(factor.format), twin: self.twin * factor.twin }
+            .noted("times", [self.error(), factor.error()])
+    }
+    #[track_caller]
+    fn over(self, divisor: Self::Inverse) -> Self {
+        Self { format: Unit::over(self.format, divisor.format), twin: Unit::over(self.twin, divisor.twin) }
+            .noted("over", [self.error()])
+    }
+    #[track_caller]
+    fn radical(a: Self, b: Self, minus: Self) -> Option<Self> {
+        let (format, twin) =
+            (U::radical(a.format, b.format, minus.format), f64::radical(a.twin, b.twin, minus.twin));
+        log::decision("radical", a.values(), minus.values(), format.is_some(), twin.is_some());
+        let root = Self { format: format?, twin: twin.unwrap_or(0.0) };
+        Some(root.noted("radical", [a.error(), b.error(), minus.error()]))
+    }
+}
+
+impl<L: Light<Unit: UnitFormat> + Value> Light for Paired<L> {
+    type Unit = Paired<L::Unit>;
+    const ZERO: Self = Self { format: L::ZERO, twin: 0.0 };
+    const WHITE: Self = Self { format: L::WHITE, twin: 1.0 };
+    const LARGEST: Magnitude = L::LARGEST;
+    fn size(self) -> Magnitude {
+        Light::size(self.format)
+    }
+    #[track_caller]
+    fn plus(self, other: Self) -> Self {
+        Self { format: self.format.plus(other.format), twin: self.twin + other.twin }
+            .noted("plus", [self.error(), other.error()])
+    }
+    #[track_caller]
+    fn times(self, factor: Self::Unit) -> Self {
+        Self { format: self.format.times(factor.format), twin: self.twin * factor.twin }
+            .noted("times", [self.error(), factor.error()])
+    }
+    fn level(self, max: u8) -> u8 {
+        self.format.level(max)
+    }
+}
+
+/// The twin has the numbers of the scene file as they are: rounding them is the format's first loss.
+impl<S: Format> Narrow for Paired<S> {
+    const NAME: &'static str = S::NAME;
+    const SMALLEST_RADIUS: f64 = S::SMALLEST_RADIUS;
+    const LARGEST_COLOR: f64 = S::LARGEST_COLOR;
+    const LARGEST_LIGHT: f64 = S::LARGEST_LIGHT;
+    const LARGEST_POWER: f64 = S::LARGEST_POWER;
+    fn largest() -> f64 {
+        S::largest()
+    }
+    fn length(value: f64) -> Self {
+        Self { format: S::length(value), twin: value }
+    }
+    fn unit(value: f64) -> Self::Unit {
+        Paired { format: S::unit(value), twin: value }
+    }
+    fn light(value: f64) -> Self::Light {
+        Paired { format: S::light(value), twin: value }
+    }
+    fn power(value: f64) -> Self::Power {
+        Bare { format: <S as Narrow>::power(value), twin: value }
+    }
+    fn widen(light: Self::Light) -> f32 {
+        S::widen(light.format)
+    }
+}

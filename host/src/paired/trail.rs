@@ -1,0 +1,377 @@
+//! The branches that a pixel took: each ray of its tree, what it met, and how each lamp shone there.
+//!
+//! A [`Trail`] is told by a model of illumination that passes everything on to another one and looks on. It holds what
+//! matters: objects, insides, tiles, shadows, highlights, total reflections. A search that was only cut short at
+//! another place is not in it. One ray is sent through the middle of each pixel, and all of its tree is followed.
+
+use core::ops::Range;
+use core::ptr;
+use std::sync::{Mutex, MutexGuard, PoisonError};
+
+use rayon::prelude::*;
+use rta_core::color::Rgb;
+use rta_core::illumination::{Illumination, RayKind, Rta, Secondary, Surface, Whitted};
+use rta_core::light::Incident;
+use rta_core::material::Material;
+use rta_core::needs::{Everything, Needs};
+use rta_core::raster::{Pixels, Raster};
+use rta_core::scalar::{Light, Scalar};
+use rta_core::scene::{Object, Scene};
+use rta_core::trace::{Tracer, refract};
+use rta_core::{Q16, Q20};
+use rta_scenes::description::Description;
+use rta_scenes::narrow::{Narrow, narrow};
+
+use super::log::{self, Log};
+use super::{Paired, Value};
+use crate::engine::{self, EngineError, MAX_DEPTH, Model, Settings};
+
+/// What a ray met.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Met {
+    /// Nothing.
+    Sky,
+    /// A tile of the floor: one of the odd ones, or not.
+    Floor {
+        /// Whether it has the second colour.
+        odd: bool,
+    },
+    /// Any other object, by its place in its list.
+    Object(Object),
+}
+
+/// How a lamp shines on a surface.
+#[derive(Clone, Copy, Debug)]
+pub enum Shine {
+    /// Not at all: it is behind the surface.
+    Behind,
+    /// Too faint for the number format, so nobody asked for its shadow.
+    Faint,
+    /// It is in front.
+    Front {
+        /// What part of its light comes through: 0 in the shadow.
+        part: f64,
+        /// Whether it makes a cut-out highlight there.
+        glint: bool,
+    },
+}
+
+impl Shine {
+    /// Whether the two are one branch. What is too faint in one format brings next to nothing in another.
+    fn is_like(self, other: Self) -> bool {
+        // The parts are products of a few coefficients, each rounded.
+        const ROUNDING: f64 = 1e-5;
+        match (self, other) {
+            (Self::Behind, Self::Behind) | (Self::Faint, Self::Faint | Self::Behind) => true,
+            (Self::Behind, Self::Faint) => true,
+            (Self::Faint, Self::Front { glint, .. }) | (Self::Front { glint, .. }, Self::Faint) => !glint,
+            (Self::Front { part: a, glint: b }, Self::Front { part: c, glint: d }) => {
+                (a - c).abs() < ROUNDING && (b == d || a == 0.0)
+            }
+            _ => false,
+        }
+    }
+}
+
+/// One ray and what came of it.
+#[derive(Clone, Debug)]
+pub struct Step {
+    /// What it was traced for.
+    pub kind: RayKind,
+    /// How many rays there are between it and the eye.
+    pub depth: u8,
+    /// What it met.
+    pub met: Met,
+    /// How far away, where that was a surface.
+    pub distance: Option<f64>,
+    /// Whether it met that from the inside.
+    pub inside: bool,
+    /// Whether all of it was reflected there that should have been transmitted.
+    pub total_reflection: bool,
+    /// How each lamp shines there; none where the surface is not lit.
+    pub lamps: Vec<Shine>,
+}
+
+impl Step {
+    /// Whether the two took the same branches.
+    #[must_use]
+    pub fn is_like(&self, other: &Self) -> bool {
+        self.kind == other.kind
+            && self.depth == other.depth
+            && self.met == other.met
+            && self.inside == other.inside
+            && self.total_reflection == other.total_reflection
+            && self.lamps.len() == other.lamps.len()
+            && self.lamps.iter().zip(&other.lamps).all(|(a, b)| a.is_like(*b))
+    }
+}
+
+/// The ray tree of a pixel, in the order it is followed.
+#[derive(Clone, Debug, Default)]
+pub struct Trail {
+    /// The rays.
+    pub steps: Vec<Step>,
+}
+
+impl Trail {
+    /// The first ray with another branch; nothing where the two are one.
+    #[must_use]
+    pub fn parting(&self, other: &Self) -> Option<usize> {
+        let like = self.steps.iter().zip(&other.steps).take_while(|(a, b)| a.is_like(b)).count();
+        (like < self.steps.len().max(other.steps.len())).then_some(like)
+    }
+}
+
+/// A pixel and how it came about.
+#[derive(Clone, Debug)]
+pub struct Pixel {
+    /// Linear light.
+    pub light: [f64; 3],
+    /// The levels of the guns, rounded by the number format itself, for each of [`GUNS`].
+    pub levels: [Rgb<u8>; GUNS.len()],
+    /// The branches.
+    pub trail: Trail,
+    /// What paired numbers recorded; empty for all others.
+    pub log: Log,
+}
+
+/// The largest levels of the guns of the three devices: mode 13h, graPHIGS, PIXRECT.
+pub const GUNS: [u8; 3] = [63, 15, 255];
+
+/// The pixels of some rows, from left to right and from top to bottom.
+///
+/// # Errors
+/// Whatever keeps the scene from being drawn with these settings.
+pub fn pixels(scene: &Description, settings: &Settings, rows: Range<u32>) -> Result<Vec<Pixel>, EngineError> {
+    let window = Window { rows, skip: 0, take: usize::MAX };
+    match settings.format {
+        engine::Format::F32 => modelled::<f32>(scene, settings, &window),
+        engine::Format::F64 => modelled::<f64>(scene, settings, &window),
+        engine::Format::Q16 => modelled::<Q16>(scene, settings, &window),
+        engine::Format::Q20 => modelled::<Q20>(scene, settings, &window),
+    }
+}
+
+/// All pixels of a picture, on all cores.
+///
+/// # Errors
+/// Whatever keeps the scene from being drawn with these settings.
+pub fn picture(scene: &Description, settings: &Settings) -> Result<Vec<Pixel>, EngineError> {
+    let row = |y| pixels(scene, settings, y..y + 1);
+    let rows: Result<Vec<_>, _> = (0..settings.height).into_par_iter().map(row).collect();
+    Ok(rows?.into_iter().flatten().collect())
+}
+
+/// One pixel in lock step with `f64`; nothing where the raster has no such pixel.
+///
+/// # Errors
+/// Whatever keeps the scene from being drawn with these settings.
+pub fn lock_step(
+    scene: &Description,
+    settings: &Settings,
+    x: u32,
+    y: u32,
+) -> Result<Option<Pixel>, EngineError> {
+    let window = Window { rows: y..y.saturating_add(1), skip: x as usize, take: 1 };
+    let pixels = match settings.format {
+        engine::Format::F32 => modelled::<Paired<f32>>(scene, settings, &window),
+        engine::Format::F64 => modelled::<Paired<f64>>(scene, settings, &window),
+        engine::Format::Q16 => modelled::<Paired<Q16>>(scene, settings, &window),
+        engine::Format::Q20 => modelled::<Paired<Q20>>(scene, settings, &window),
+    };
+    Ok(if x < settings.width { pixels?.pop() } else { None })
+}
+
+/// Which pixels: of some rows, `take` after the first `skip`.
+struct Window {
+    rows: Range<u32>,
+    skip: usize,
+    take: usize,
+}
+
+/// A scalar whose quantities can be read; paired ones too.
+trait Readable: Value + Narrow<Unit: Value, Light: Value> {}
+impl<S: Value + Narrow<Unit: Value, Light: Value>> Readable for S {}
+
+fn modelled<S: Readable>(
+    scene: &Description,
+    settings: &Settings,
+    window: &Window,
+) -> Result<Vec<Pixel>, EngineError> {
+    match settings.model {
+        Model::Rta => watched::<S, _>(scene, settings, window, Rta),
+        Model::Whitted => watched::<S, _>(scene, settings, window, Whitted::default()),
+    }
+}
+
+fn watched<S: Readable, M: Illumination<S>>(
+    scene: &Description,
+    settings: &Settings,
+    window: &Window,
+    model: M,
+) -> Result<Vec<Pixel>, EngineError> {
+    let raster = Raster::new(settings.width, settings.height)?;
+    let scene = narrow::<S>(scene, settings.aspect)?;
+    let notes = Mutex::new(Notes::default());
+    let witness = Witness { model, scene: scene.scene(), notes: &notes };
+    let admitted = scene.scene().admit(&scene.camera).map_err(rta_core::Error::from)?;
+    let tracer = Tracer::<S, _, Everything, { MAX_DEPTH as usize }>::new(admitted, witness, settings.depth)?;
+    let mut traced = Pixels::rows(&tracer, &scene.camera, raster, window.rows.start, window.rows.end);
+    let mut pixels = Vec::new();
+    for _ in traced.by_ref().take(window.skip) {
+        *lock(&notes) = Notes::default();
+    }
+    while pixels.len() < window.take {
+        let (light, log) = log::record(|| traced.next());
+        let Some(light) = light else { break };
+        let trail = core::mem::take(&mut *lock(&notes)).trail;
+        let Rgb { r, g, b } = light.map(Value::value);
+        pixels.push(Pixel { light: [r, g, b], levels: GUNS.map(|max| light.levels(max)), trail, log });
+    }
+    Ok(pixels)
+}
+
+/// What has been seen of a pixel so far.
+#[derive(Debug, Default)]
+struct Notes {
+    trail: Trail,
+    /// Depths of the rays that are to come, the next one last.
+    expected: Vec<u8>,
+    /// The lamp that the model was asked about last.
+    lamp: usize,
+}
+
+impl Notes {
+    /// How the lamp shines that the model was asked about last.
+    fn shine(&mut self) -> Option<&mut Shine> {
+        self.trail.steps.last_mut()?.lamps.get_mut(self.lamp)
+    }
+}
+
+/// A lock that is never left behind in the middle of a change.
+fn lock(notes: &Mutex<Notes>) -> MutexGuard<'_, Notes> {
+    notes.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// A model that passes everything on and takes notes. Without a contribution cut-off, that is all of the ray tree.
+struct Witness<'a, S: Scalar, M> {
+    model: M,
+    scene: Scene<'a, S>,
+    notes: &'a Mutex<Notes>,
+}
+
+impl<S: Readable, M> Witness<'_, S, M> {
+    /// The object to which a surface belongs, told by where its material is.
+    fn object(&self, surface: &Surface<S>) -> Met {
+        let is = |material| ptr::eq(material, surface.material);
+        let scene = &self.scene;
+        if let Some(i) = scene.spheres.iter().position(|s| is(&s.material)) {
+            Met::Object(Object::Sphere(i))
+        } else if let Some(i) = scene.ellipsoids.iter().position(|e| is(&e.material)) {
+            Met::Object(Object::Ellipsoid(i))
+        } else if let Some(i) = scene.cylinders.iter().position(|c| is(&c.material)) {
+            Met::Object(Object::Cylinder(i))
+        } else {
+            let even = scene.floor.as_ref().map(|floor| values::<S>(floor.colors[0]));
+            Met::Floor { odd: even != Some(values::<S>(surface.color)) }
+        }
+    }
+}
+
+/// A colour as numbers that can be compared without being recorded.
+fn values<S: Readable>(color: Rgb<S::Unit>) -> Rgb<f64> {
+    color.map(Value::value)
+}
+
+impl<S: Readable, M: Illumination<S>> Illumination<S> for Witness<'_, S, M> {
+    type Weight = M::Weight;
+    const BOTH_SIDES: bool = M::BOTH_SIDES;
+
+    fn note(&self, kind: RayKind) {
+        self.model.note(kind);
+        if kind == RayKind::Shadow {
+            return;
+        }
+        let mut notes = lock(self.notes);
+        let depth = notes.expected.pop().unwrap_or(0);
+        log::enter(notes.trail.steps.len());
+        notes.trail.steps.push(Step {
+            kind,
+            depth,
+            met: Met::Sky,
+            distance: None,
+            inside: false,
+            total_reflection: false,
+            lamps: Vec::new(),
+        });
+    }
+
+    fn note_light(&self, light: Rgb<S::Light>) {
+        self.model.note_light(light);
+        let same = |radiance: Rgb<S::Light>| radiance.map(Value::value) == light.map(Value::value);
+        let mut lamps = self.scene.lamps.iter();
+        let lamp = log::pause(|| lamps.position(|l| l.radius.value() > 0.0 && same(l.radiance())));
+        if let (Some(i), Some(step)) = (lamp, lock(self.notes).trail.steps.last_mut()) {
+            step.met = Met::Object(Object::Lamp(i));
+        }
+    }
+
+    fn ambient<N: Needs>(&self, surface: &Surface<S>, ambient: Rgb<S::Light>) -> Rgb<S::Light> {
+        let lamps = if self.model.is_lit(surface) { self.scene.lamps.len() } else { 0 };
+        if let Some(step) = lock(self.notes).trail.steps.last_mut() {
+            step.met = self.object(surface);
+            step.distance = Some(surface.distance.value());
+            step.inside = surface.inside;
+            step.lamps = vec![Shine::Behind; lamps];
+        }
+        self.model.ambient::<N>(surface, ambient)
+    }
+
+    fn is_lit(&self, surface: &Surface<S>) -> bool {
+        self.model.is_lit(surface)
+    }
+
+    fn direct<N: Needs>(&self, surface: &Surface<S>, incident: &Incident<S>) -> Rgb<S::Light> {
+        let light = self.model.direct::<N>(surface, incident);
+        let values = light.map(Value::value);
+        // A cut-out highlight is the lamp's own intensity.
+        let glint = matches!(surface.material, Material::Shiny)
+            && values
+                == log::pause(|| incident.lamp.tint.map(|part| incident.intensity().times(part)))
+                    .map(Value::value);
+        let mut notes = lock(self.notes);
+        notes.lamp = self.scene.lamps.iter().position(|l| ptr::eq(l, incident.lamp)).unwrap_or(usize::MAX);
+        if let Some(shine) = notes.shine() {
+            let is_dark = values == Rgb::new(0.0, 0.0, 0.0);
+            *shine = if is_dark { Shine::Faint } else { Shine::Front { part: 1.0, glint } };
+        }
+        light
+    }
+
+    fn note_shadow(&self, through: S::Unit) {
+        self.model.note_shadow(through);
+        if let Some(Shine::Front { part, .. }) = lock(self.notes).shine() {
+            *part = through.value();
+        }
+    }
+
+    fn secondary(&self, surface: &Surface<S>) -> Secondary<M::Weight> {
+        let secondary = self.model.secondary(surface);
+        let through = match (surface.material, secondary.transmitted) {
+            (Material::Transparent(glass), Some(_)) => Some(log::pause(|| refract(surface, glass)).is_some()),
+            _ => None,
+        };
+        let children = match through {
+            Some(true) => 1 + usize::from(secondary.reflected.is_some()),
+            Some(false) => 1,
+            None => usize::from(secondary.reflected.is_some()),
+        };
+        let mut notes = lock(self.notes);
+        if let Some(step) = notes.trail.steps.last_mut() {
+            step.total_reflection = through == Some(false);
+            let depth = step.depth + 1;
+            notes.expected.extend(core::iter::repeat_n(depth, children));
+        }
+        secondary
+    }
+}
