@@ -21,8 +21,15 @@ pub type Q20 = I12F20;
 const UNIT_BITS: u32 = 30;
 /// Fractional bits of radiance.
 const LIGHT_BITS: u32 = 16;
-/// How far a ray's origin is pushed off a surface, in LSBs of a length; see [`LengthVector::clearance`].
+/// How far a ray's origin is pushed off a surface at least, in LSBs of a length; see [`LengthVector::clearance`].
+///
+/// The place `p = c + r n` is rounded by half an LSB in each component, sqrt(3)/2 LSB in all. Four LSBs leave more than 3
+/// between the place and a sphere. The foot point `l` of a ray that leaves is rounded by as much again, so that
+/// `|l|^2 - r^2` errs by at most `1.8 r` LSB, while it is `6 r` LSB for a tangent: both roots stay behind the ray.
 const LEAVE_LSB: i32 = 4;
+/// A large object adds its extent times 2^-26: the places that an ellipsoid is seen at, 30 bits of its extent, carry the
+/// roundings of a dozen products.
+const LOCAL_BITS: u32 = 26;
 
 /// The low word of a result that the range check promises to fit.
 #[allow(clippy::cast_possible_truncation)] // checked in debug builds, proved before a release build draws
@@ -323,8 +330,9 @@ macro_rules! fixed_point {
             /// than that over `r` in the admitted range. Four LSBs leave more than 3 between the place and the surface.
             /// The foot point of a ray that leaves, `l`, is rounded by as much again, so that `|l|^2 - r^2` errs by at
             /// most `1.8 r` LSB, while it is `6 r` LSB for a tangent: the nearest and the farther root stay behind.
-            fn clearance(self, _extent: $f) -> ($f, $f) {
-                (<$f>::from_bits(LEAVE_LSB), <$f>::from_bits(6 * LEAVE_LSB))
+            fn clearance(self, extent: $f) -> ($f, $f) {
+                let step = LEAVE_LSB + (extent.to_bits() >> LOCAL_BITS);
+                (<$f>::from_bits(step), <$f>::from_bits(6 * step))
             }
             fn dot_plan(self, plan: Plan<$f>) -> $f {
                 let (x, y) = (self.x.to_bits(), self.y.to_bits());
