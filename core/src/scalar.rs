@@ -90,6 +90,13 @@ pub trait Scalar:
     /// `self / slope` for `self >= 0` and `slope > 0`; saturates at [`Scalar::FAR`].
     fn over(self, slope: Self::Unit) -> Self;
 
+    /// The extent that [`LengthVector::clearance`] is to be told of an ellipsoid of the extent `self` whose smallest radius
+    /// is the part `thickness` of it. A format with a fixed point loses the digits that squashing the ellipsoid takes.
+    #[inline]
+    fn squashed(self, _thickness: Self::Unit) -> Self {
+        self
+    }
+
     /// Whether a coordinate lies in an odd one of the floor's tiles, which are 3 units wide.
     fn odd_tile(self) -> bool;
     /// The same for the coordinate `self + slope * height / fall`, where the quotient may lie beyond [`Scalar::FAR`].

@@ -28,7 +28,7 @@ const LIGHT_BITS: u32 = 16;
 /// `|l|^2 - r^2` errs by at most `1.8 r` LSB, while it is `6 r` LSB for a tangent: both roots stay behind the ray.
 const LEAVE_LSB: i32 = 4;
 /// A large object adds its extent times 2^-26: the places that an ellipsoid is seen at, 30 bits of its extent, carry the
-/// roundings of a dozen products.
+/// roundings of a dozen products; times its largest radius over its smallest, which is what squashing takes of the bits.
 const LOCAL_BITS: u32 = 26;
 
 /// The low word of a result that the range check promises to fit.
@@ -264,6 +264,9 @@ macro_rules! fixed_point {
                 Self::from_bits(saturate(
                     Reciprocal::of(slope.to_bits().unsigned_abs()).times(self.to_bits()),
                 ))
+            }
+            fn squashed(self, thickness: I2F30) -> Self {
+                Scalar::over(self, thickness)
             }
             fn odd_tile(self) -> bool {
                 self.to_bits().div_euclid(3 << $bits) & 1 == 1
