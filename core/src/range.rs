@@ -66,7 +66,7 @@ pub enum Quantity {
     Coordinate,
     /// The distance between any two places of the scene, and along a ray.
     Distance,
-    /// The same, where one place is on the floor.
+    /// The same, and a coordinate, where one place is on the floor.
     Reach,
     /// The square of a distance.
     Square,
@@ -269,8 +269,9 @@ impl<'a, S: Scalar> Scene<'a, S> {
         let (coordinate, distance) = extent.bounds(lid);
         // A little less than what is left, for what sums of sizes are rounded up by.
         let end = largest.minus(largest.shift(-24));
-        let reach = if distance.0 < end { end.minus(distance.0) } else { Magnitude::ZERO };
-        let farthest = distance.0.plus(reach);
+        let widest = distance.0.max(coordinate.0);
+        let reach = if widest < end { end.minus(widest) } else { Magnitude::ZERO };
+        let farthest = widest.plus(reach);
 
         let mut reflectance = Worst::NONE;
         let mut weight = Worst::NONE;

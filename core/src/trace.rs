@@ -46,6 +46,10 @@ type Children<S, W> = [Option<Pending<S, W>>; 2];
 
 impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize> Tracer<'a, S, M, N, STACK> {
     /// Bytes of the stack of pending rays: what the ray tree costs beyond one ray.
+    ///
+    /// In `Q16`, `Q20` and `f32` a ray that waits takes 40 bytes with [`Rta`](crate::illumination::Rta)'s weights of three
+    /// registers and 32 with [`Whitted`](crate::illumination::Whitted)'s of one; at depth 5 that is 208 and 168 bytes
+    /// with the length of the stack, on a machine of 64 bits.
     pub const STACK_BYTES: usize = size_of::<Vec<Pending<S, M::Weight>, STACK>>();
 
     /// A tracer that follows rays through `depth` reflections and refractions: the eye's ray is depth 0, and a ray of
@@ -116,7 +120,7 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize> Tracer<'a,
                 }
             }
         }
-        let children = if (N::MIRROR || N::GLASS) && parent.depth < self.depth {
+        let children = if N::MIRROR && parent.depth < self.depth {
             self.spawn(&surface, extent, parent)
         } else {
             [None, None]

@@ -28,6 +28,7 @@ pub mod log;
 mod scalar;
 pub mod trail;
 mod vector;
+mod witness;
 
 pub use format::{Format, UnitFormat, Value};
 pub use vector::PairedVector;
@@ -64,12 +65,13 @@ impl<T: Value> Paired<T> {
     /// The result of an operation, noted in the log; `operands` are the errors of what went into it.
     #[track_caller]
     fn noted(self, name: &'static str, operands: impl IntoIterator<Item = f64>) -> Self {
-        log::operation(name, self.values(), self.error(), operands);
+        log::operation(name, (T::KIND, self.format.value().abs()), self.values(), self.error(), operands);
         self
     }
 }
 
 impl<T: Value> Value for Paired<T> {
+    const KIND: log::Kind = T::KIND;
     fn value(self) -> f64 {
         self.format.value()
     }

@@ -465,9 +465,7 @@ fn solid_angle<S: Measure>() {
 
 /// Up to a million units away, and so beyond what Q16.16 can hold, a place has the colour of its tile.
 fn far_floor<S: Measure>() {
-    let lamps = [lamp::<S>(BLACK, 0.0, WHITE.map(|register| 1e-4 * register))];
     let scene = Scene {
-        lamps: &lamps,
         floor: Some(floor([1.0, 0.0, 0.0], [0.0, 1.0, 0.0])),
         ambient: light::<S>(WHITE),
         ..dark::<S>()

@@ -5,8 +5,12 @@ use rta_core::scalar::{Radiance, Scalar};
 use rta_core::{Q16, Q20};
 use rta_scenes::narrow::Narrow;
 
+use super::log::Kind;
+
 /// A number that can be read as `f64`, exactly.
 pub trait Value: Copy {
+    /// What kind of number it is.
+    const KIND: Kind;
     /// What it is.
     fn value(self) -> f64;
     /// What an error of a number of about the size `at` is counted in: one LSB of fixed point; one ulp of a float, or of
@@ -29,6 +33,7 @@ pub trait UnitFormat: Value + rta_core::scalar::Unit {
 macro_rules! fixed_point {
     ($f:ty, $wide:ty, $bits:literal) => {
         impl Value for $f {
+            const KIND: Kind = Kind::Length;
             fn value(self) -> f64 {
                 self.to_num()
             }
@@ -37,6 +42,7 @@ macro_rules! fixed_point {
             }
         }
         impl Value for $wide {
+            const KIND: Kind = Kind::Square;
             fn value(self) -> f64 {
                 self.to_bits() as f64 / (1u64 << (2 * $bits)) as f64
             }
@@ -56,6 +62,7 @@ fixed_point!(Q20, I24F40, 20);
 
 // The unit of both fixed-point formats.
 impl Value for I2F30 {
+    const KIND: Kind = Kind::Unit;
     fn value(self) -> f64 {
         self.to_num()
     }
@@ -69,6 +76,7 @@ impl UnitFormat for I2F30 {
 }
 
 impl Value for Radiance {
+    const KIND: Kind = Kind::Light;
     fn value(self) -> f64 {
         self.0.to_num()
     }
@@ -80,6 +88,8 @@ impl Value for Radiance {
 macro_rules! float {
     ($f:ty) => {
         impl Value for $f {
+            // A float has one range for all.
+            const KIND: Kind = Kind::Length;
             fn value(self) -> f64 {
                 f64::from(self)
             }

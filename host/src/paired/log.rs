@@ -3,6 +3,19 @@
 use core::cell::RefCell;
 use core::panic::Location;
 
+/// The kinds of numbers, each with its own range.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Kind {
+    /// A length.
+    Length,
+    /// The square of a length.
+    Square,
+    /// A component of a unit vector, a coefficient.
+    Unit,
+    /// A radiance.
+    Light,
+}
+
 /// An operation and what it lost.
 #[derive(Clone, Copy, Debug)]
 pub struct Operation {
@@ -16,6 +29,10 @@ pub struct Operation {
     pub result: [f64; 2],
     /// Error of the result, in units of its last place.
     pub error: f64,
+    /// What kind of number it is.
+    pub kind: Kind,
+    /// Size of the result in the format; of a vector, of the largest component.
+    pub size: f64,
     /// The largest error of what went in, each in units of its own last place.
     pub operands: f64,
 }
@@ -95,6 +112,7 @@ fn with(write: impl FnOnce(&mut Log)) {
 #[track_caller]
 pub(super) fn operation(
     name: &'static str,
+    (kind, size): (Kind, f64),
     result: [f64; 2],
     error: f64,
     operands: impl IntoIterator<Item = f64>,
@@ -104,7 +122,7 @@ pub(super) fn operation(
         let operands = operands.into_iter().fold(0.0, f64::max);
         // A quantity that is infinite in a float (a reciprocal of nothing) is never used.
         if error.is_finite() && operands.is_finite() {
-            log.operations.push(Operation { name, place, ray: log.ray, result, error, operands });
+            log.operations.push(Operation { name, place, ray: log.ray, result, error, kind, size, operands });
         }
     });
 }

@@ -5,24 +5,22 @@
 //! another place is not in it. One ray is sent through the middle of each pixel, and all of its tree is followed.
 
 use core::ops::Range;
-use core::ptr;
-use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::sync::Mutex;
 
 use rayon::prelude::*;
 use rta_core::color::Rgb;
-use rta_core::illumination::{Illumination, RayKind, Rta, Secondary, Surface, Whitted};
-use rta_core::light::Incident;
-use rta_core::material::Material;
-use rta_core::needs::{Everything, Needs};
+use rta_core::illumination::{Illumination, RayKind, Rta, Whitted};
+use rta_core::needs::Everything;
 use rta_core::raster::{Pixels, Raster};
-use rta_core::scalar::{Light, Scalar};
-use rta_core::scene::{Object, Scene};
-use rta_core::trace::{Tracer, refract};
+use rta_core::scalar::Light;
+use rta_core::scene::Object;
+use rta_core::trace::Tracer;
 use rta_core::{Q16, Q20};
 use rta_scenes::description::Description;
-use rta_scenes::narrow::{Narrow, narrow};
+use rta_scenes::narrow::narrow;
 
 use super::log::{self, Log};
+use super::witness::{Notes, Readable, Witness, lock};
 use super::{Paired, Value};
 use crate::engine::{self, EngineError, MAX_DEPTH, Model, Settings};
 
@@ -189,10 +187,6 @@ struct Window {
     take: usize,
 }
 
-/// A scalar whose quantities can be read; paired ones too.
-trait Readable: Value + Narrow<Unit: Value, Light: Value> {}
-impl<S: Value + Narrow<Unit: Value, Light: Value>> Readable for S {}
-
 fn modelled<S: Readable>(
     scene: &Description,
     settings: &Settings,
@@ -229,149 +223,4 @@ fn watched<S: Readable, M: Illumination<S>>(
         pixels.push(Pixel { light: [r, g, b], levels: GUNS.map(|max| light.levels(max)), trail, log });
     }
     Ok(pixels)
-}
-
-/// What has been seen of a pixel so far.
-#[derive(Debug, Default)]
-struct Notes {
-    trail: Trail,
-    /// Depths of the rays that are to come, the next one last.
-    expected: Vec<u8>,
-    /// The lamp that the model was asked about last.
-    lamp: usize,
-}
-
-impl Notes {
-    /// How the lamp shines that the model was asked about last.
-    fn shine(&mut self) -> Option<&mut Shine> {
-        self.trail.steps.last_mut()?.lamps.get_mut(self.lamp)
-    }
-}
-
-/// A lock that is never left behind in the middle of a change.
-fn lock(notes: &Mutex<Notes>) -> MutexGuard<'_, Notes> {
-    notes.lock().unwrap_or_else(PoisonError::into_inner)
-}
-
-/// A model that passes everything on and takes notes. Without a contribution cut-off, that is all of the ray tree.
-struct Witness<'a, S: Scalar, M> {
-    model: M,
-    scene: Scene<'a, S>,
-    notes: &'a Mutex<Notes>,
-}
-
-impl<S: Readable, M> Witness<'_, S, M> {
-    /// The object to which a surface belongs, told by where its material is.
-    fn object(&self, surface: &Surface<S>) -> Met {
-        let is = |material| ptr::eq(material, surface.material);
-        let scene = &self.scene;
-        if let Some(i) = scene.spheres.iter().position(|s| is(&s.material)) {
-            Met::Object(Object::Sphere(i))
-        } else if let Some(i) = scene.ellipsoids.iter().position(|e| is(&e.material)) {
-            Met::Object(Object::Ellipsoid(i))
-        } else if let Some(i) = scene.cylinders.iter().position(|c| is(&c.material)) {
-            Met::Object(Object::Cylinder(i))
-        } else {
-            let even = scene.floor.as_ref().map(|floor| values::<S>(floor.colors[0]));
-            Met::Floor { odd: even != Some(values::<S>(surface.color)) }
-        }
-    }
-}
-
-/// A colour as numbers that can be compared without being recorded.
-fn values<S: Readable>(color: Rgb<S::Unit>) -> Rgb<f64> {
-    color.map(Value::value)
-}
-
-impl<S: Readable, M: Illumination<S>> Illumination<S> for Witness<'_, S, M> {
-    type Weight = M::Weight;
-    const BOTH_SIDES: bool = M::BOTH_SIDES;
-
-    fn note(&self, kind: RayKind) {
-        self.model.note(kind);
-        if kind == RayKind::Shadow {
-            return;
-        }
-        let mut notes = lock(self.notes);
-        let depth = notes.expected.pop().unwrap_or(0);
-        log::enter(notes.trail.steps.len());
-        notes.trail.steps.push(Step {
-            kind,
-            depth,
-            met: Met::Sky,
-            distance: None,
-            inside: false,
-            total_reflection: false,
-            lamps: Vec::new(),
-        });
-    }
-
-    fn note_light(&self, light: Rgb<S::Light>) {
-        self.model.note_light(light);
-        let same = |radiance: Rgb<S::Light>| radiance.map(Value::value) == light.map(Value::value);
-        let mut lamps = self.scene.lamps.iter();
-        let lamp = log::pause(|| lamps.position(|l| l.radius.value() > 0.0 && same(l.radiance())));
-        if let (Some(i), Some(step)) = (lamp, lock(self.notes).trail.steps.last_mut()) {
-            step.met = Met::Object(Object::Lamp(i));
-        }
-    }
-
-    fn ambient<N: Needs>(&self, surface: &Surface<S>, ambient: Rgb<S::Light>) -> Rgb<S::Light> {
-        let lamps = if self.model.is_lit(surface) { self.scene.lamps.len() } else { 0 };
-        if let Some(step) = lock(self.notes).trail.steps.last_mut() {
-            step.met = self.object(surface);
-            step.distance = Some(surface.distance.value());
-            step.inside = surface.inside;
-            step.lamps = vec![Shine::Behind; lamps];
-        }
-        self.model.ambient::<N>(surface, ambient)
-    }
-
-    fn is_lit(&self, surface: &Surface<S>) -> bool {
-        self.model.is_lit(surface)
-    }
-
-    fn direct<N: Needs>(&self, surface: &Surface<S>, incident: &Incident<S>) -> Rgb<S::Light> {
-        let light = self.model.direct::<N>(surface, incident);
-        let values = light.map(Value::value);
-        // A cut-out highlight is the lamp's own intensity.
-        let glint = matches!(surface.material, Material::Shiny)
-            && values
-                == log::pause(|| incident.lamp.tint.map(|part| incident.intensity().times(part)))
-                    .map(Value::value);
-        let mut notes = lock(self.notes);
-        notes.lamp = self.scene.lamps.iter().position(|l| ptr::eq(l, incident.lamp)).unwrap_or(usize::MAX);
-        if let Some(shine) = notes.shine() {
-            let is_dark = values == Rgb::new(0.0, 0.0, 0.0);
-            *shine = if is_dark { Shine::Faint } else { Shine::Front { part: 1.0, glint } };
-        }
-        light
-    }
-
-    fn note_shadow(&self, through: S::Unit) {
-        self.model.note_shadow(through);
-        if let Some(Shine::Front { part, .. }) = lock(self.notes).shine() {
-            *part = through.value();
-        }
-    }
-
-    fn secondary(&self, surface: &Surface<S>) -> Secondary<M::Weight> {
-        let secondary = self.model.secondary(surface);
-        let through = match (surface.material, secondary.transmitted) {
-            (Material::Transparent(glass), Some(_)) => Some(log::pause(|| refract(surface, glass)).is_some()),
-            _ => None,
-        };
-        let children = match through {
-            Some(true) => 1 + usize::from(secondary.reflected.is_some()),
-            Some(false) => 1,
-            None => usize::from(secondary.reflected.is_some()),
-        };
-        let mut notes = lock(self.notes);
-        if let Some(step) = notes.trail.steps.last_mut() {
-            step.total_reflection = through == Some(false);
-            let depth = step.depth + 1;
-            notes.expected.extend(core::iter::repeat_n(depth, children));
-        }
-        secondary
-    }
 }

@@ -39,7 +39,8 @@ impl<V: Vector<Component: Value>> PairedVector<V> {
         let worse =
             |a: Paired<V::Component>, b: Paired<V::Component>| if b.error() > a.error() { b } else { a };
         let worst = worse(worse(x, y), z);
-        log::operation(name, worst.values(), worst.error(), operands);
+        let size = [x, y, z].iter().fold(0.0, |size: f64, c| size.max(c.format.value().abs()));
+        log::operation(name, (V::Component::KIND, size), worst.values(), worst.error(), operands);
         self
     }
 }
@@ -268,11 +269,8 @@ impl<V: UnitVector<Component: UnitFormat>> UnitVector for PairedVector<V> {
         log::decision("plan", self.lengths(), [0.0, 0.0], format.is_some(), twin.is_some());
         let format = format?;
         let twin = twin.unwrap_or(Plan { x: self.twin.x, y: self.twin.y, stretch: 0.0 });
-        let pair = |format, twin| Paired { format, twin }.noted("plan", [self.error()]);
-        Some(Plan {
-            x: pair(format.x, twin.x),
-            y: pair(format.y, twin.y),
-            stretch: Bare { format: format.stretch, twin: twin.stretch },
-        })
+        let x = Paired { format: format.x, twin: twin.x }.noted("plan", [self.error()]);
+        let y = Paired { format: format.y, twin: twin.y }.noted("plan", [self.error()]);
+        Some(Plan { x, y, stretch: Bare { format: format.stretch, twin: twin.stretch } })
     }
 }
