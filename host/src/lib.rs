@@ -39,3 +39,8 @@ pub mod screen;
 pub mod show;
 pub mod stability;
 pub mod window;
+
+/// The code of the README, compiled and run with the other examples.
+#[cfg(doctest)]
+#[doc = include_str!("../../README.md")]
+struct Readme;
