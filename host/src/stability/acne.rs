@@ -142,7 +142,9 @@ fn look<S: Exact>(
     let t = hit.distance;
     let (Spot { point, normal, .. }, extent) = match hit.object {
         Object::Sphere(i) => scene.spheres.get(i).map(|s| (s.spot(&ray, t), s.radius))?,
-        Object::Ellipsoid(i) => scene.ellipsoids.get(i).map(|e| (e.spot(&ray, t), e.extent))?,
+        Object::Ellipsoid(i) => {
+            scene.ellipsoids.get(i).map(|e| (e.spot(&ray, t), e.extent.squashed(e.thickness)))?
+        }
         Object::Cylinder(i) => scene.cylinders.get(i).map(|c| (c.spot(&ray, t), c.radius))?,
         _ => return None,
     };

@@ -118,9 +118,12 @@ pub fn all() -> Vec<Case> {
     add("tangents of a glass", stir, Aim::Tangent, 5, sky(5.0).ball([0.0, 5.0, 0.0], 1.0, glass(1.5)));
     add("the floor's horizon", Stand::AboveFloor, Aim::Horizon, 1, plain([0.0, 0.0, 1.0], NORTH));
 
+    let away = Description { floor: plain([0.0; 3], NORTH).floor, ..empty([300.0, -500.0, 1.0], NORTH) };
+    add("the floor's horizon, far from the origin", Stand::AboveFloor, Aim::Horizon, 1, away);
+
     // Large beside small.
     let radii =
-        |large: f64| ahead().ball([0.0, 3.0, 2.0], 0.001, Opaque).ball([0.0, 4.0, -large], large, Shiny);
+        |large: f64| ahead().ball([0.0, 3.0, 2.0], 0.001, Opaque).ball([0.0, 4.0, 1.0 - large], large, Shiny);
     add("radii 0.001 and 10000, picture", still, Aim::Picture, 2, radii(1e4));
     add("radii 0.001 and 10000, silhouette", still, Aim::Silhouette, 2, radii(1e4));
     add("radii 0.001 and 200, silhouette", still, Aim::Silhouette, 2, radii(200.0));
@@ -175,8 +178,8 @@ pub fn all() -> Vec<Case> {
     }
     let four = ahead().ball([0.0, 5.0, 2.0], 1.0, glass(4.0)).ball([2.5, 5.0, 2.0], 1.0, glass(0.25));
     add("index of refraction 4 and 1/4", still, Aim::Picture, 5, four);
-    let hall = plain([0.0, -6.0, 2.0], [0.3, 1.0, -0.1]).column([-52.0, 0.0], 50.0, Mirror);
-    add("hall of mirrors, depth 32", still, Aim::Picture, 32, hall.column([52.0, 0.0], 50.0, Mirror));
+    let hall = plain([0.0, 0.0, 2.0], [1.0, 0.01, -0.01]).focal(4.0).column([-302.0, 0.0], 300.0, Mirror);
+    add("hall of mirrors, depth 32", still, Aim::Picture, 32, hall.column([302.0, 0.0], 300.0, Mirror));
 
     // Lamps of all strengths at all distances.
     let ball = || ahead().dark().ball([0.0, 5.0, 2.0], 1.0, Shiny);

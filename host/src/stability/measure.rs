@@ -53,7 +53,7 @@ pub struct Measured {
     pub acne: Acne,
     /// Eye rays that meet something else than in `f64`, or something instead of nothing.
     pub wrong: u64,
-    /// The worst register's distance from `f64` in levels of 255, as the median of the rays.
+    /// How far the worst register is from `f64`, in levels of 255: the median of the rays that meet the same.
     pub median: f64,
     /// The same for the worst hundredth.
     pub p99: f64,
@@ -119,7 +119,7 @@ fn in_format<S: Exact>(case: &Case, samples: usize) -> Outcome {
         left -= count;
     }
     measured.spread(&mut errors);
-    acne::search::<S>(case, measured.samples / 2, &mut rng, &mut measured);
+    acne::search::<S>(case, samples / 2, &mut rng, &mut measured);
     Outcome::Traced(measured)
 }
 
@@ -143,10 +143,10 @@ fn block<S: Exact>(
         let expected = guarded(|| (exact.object(twin), exact.light(twin, i % 2 == 0)));
         match (traced, expected) {
             (Ok((object, light)), Ok((twin_object, expected))) => {
-                measured.wrong += u64::from(object != twin_object);
-                match difference(light.map(S::widen), expected.map(|light| <f64 as Narrow>::widen(light))) {
-                    Some(levels) => errors.push(levels),
+                match difference(light.map(S::widen), expected.map(<f64 as Narrow>::widen)) {
                     None => measured.non_finite += 1,
+                    Some(_) if object != twin_object => measured.wrong += 1,
+                    Some(levels) => errors.push(levels),
                 }
             }
             (Err(failure), _) | (_, Err(failure)) => measured.failed(failure),

@@ -1,0 +1,327 @@
+//! Rays and shapes at random, in each number format: hit points lie on the surface, normals are unit, hit and miss are
+//! those of `f64` but for a margin of the silhouette, no convex object is met again by a ray that leaves it, refraction
+//! obeys Snell's law and reflection keeps lengths. Bounds are counted in roundings of the format.
+
+#![allow(clippy::indexing_slicing)] // arrays of three
+
+use core::f64::consts::TAU;
+use core::fmt::Debug;
+
+use proptest::prelude::*;
+use rta_core::color::Rgb;
+use rta_core::illumination::Surface;
+use rta_core::material::{Glass, Material};
+use rta_core::needs::Everything;
+use rta_core::ray::Ray;
+use rta_core::scalar::{Scalar, Unit};
+use rta_core::shape::{Cylinder, Ellipsoid, Sphere, Spot};
+use rta_core::trace::refract;
+use rta_core::vector::{LengthVector, UnitVec3, UnitVector, Vec3, Vector};
+use rta_core::{Q16, Q20};
+use rta_tests::measure::{Measure, color, direction, place, read_direction};
+
+type Triple = [f64; 3];
+
+/// Where cylinders end.
+const LID: f64 = 500.0;
+
+/// What one rounding of a length of that size is.
+fn rounding<S: Measure>(size: f64) -> f64 {
+    if S::CLEARANCE > rta_core::range::Magnitude::ZERO { S::LENGTH } else { S::UNIT * size }
+}
+
+fn read<S: Measure>(v: Vec3<S>) -> Triple {
+    [v.x(), v.y(), v.z()].map(S::read_length)
+}
+
+fn minus(a: Triple, b: Triple) -> Triple {
+    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
+}
+
+fn dot(a: Triple, b: Triple) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+fn length(v: Triple) -> f64 {
+    dot(v, v).sqrt()
+}
+
+fn size(v: Triple) -> f64 {
+    v.iter().fold(0.0, |most: f64, c| most.max(c.abs()))
+}
+
+/// The shape under test.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Kind {
+    Sphere,
+    Ellipsoid,
+    Cylinder,
+}
+
+/// A shape with a ray that passes it at `offset` radii, from `distance` radii away.
+#[derive(Clone, Debug)]
+struct Aimed {
+    kind: Kind,
+    center: Triple,
+    radii: Triple,
+    origin: Triple,
+    direction: Triple,
+    /// Where a ray goes that leaves: any direction.
+    away: Triple,
+}
+
+fn unit_vector() -> impl Strategy<Value = Triple> {
+    (-1.0..=1.0_f64, 0.0..TAU).prop_map(|(z, turn)| {
+        let flat = (1.0 - z * z).sqrt();
+        [flat * turn.cos(), flat * turn.sin(), z]
+    })
+}
+
+/// A unit vector at right angles to another, `turn` about it.
+fn across([x, y, z]: Triple, turn: f64) -> Triple {
+    // Duff et al., "Building an Orthonormal Basis, Revisited", JCGT 6, 2017.
+    let sign = 1.0_f64.copysign(z);
+    let (a, b) = (-1.0 / (sign + z), -x * y / (sign + z));
+    let (first, second) = ([1.0 + sign * x * x * a, sign * b, -sign * x], [b, sign + y * y * a, -y]);
+    let (sine, cosine) = turn.sin_cos();
+    [0, 1, 2].map(|i| first[i] * cosine + second[i] * sine)
+}
+
+fn aimed(kind: Kind) -> impl Strategy<Value = Aimed> {
+    let offset = prop_oneof![
+        0.0..1.2,
+        // Close to the silhouette, on either side.
+        (1.0..7.0_f64, any::<bool>())
+            .prop_map(|(k, out)| 1.0 + 10f64.powf(-k) * if out { 1.0 } else { -1.0 }),
+    ];
+    let center = prop::array::uniform3(-50.0..=50.0);
+    let radii = prop::array::uniform3((-1.5..1.0_f64).prop_map(|k| 10f64.powf(k)));
+    let distance = prop_oneof![0.0..0.99, 1.01..30.0];
+    (center, radii, unit_vector(), 0.0..TAU, offset, distance, unit_vector()).prop_map(
+        move |(center, radii, way, turn, offset, distance, away)| {
+            let radii = match kind {
+                Kind::Ellipsoid => radii,
+                Kind::Sphere | Kind::Cylinder => [radii[0]; 3],
+            };
+            let side = across(way, turn);
+            let sine: f64 = if distance > offset { offset / distance } else { 0.5 };
+            let cosine = (1.0 - sine * sine).sqrt();
+            // In the space where the shape is a unit sphere, then back.
+            let mut aimed = Aimed { kind, center, radii, origin: center, direction: way, away };
+            for i in 0..3 {
+                aimed.origin[i] = center[i] - way[i] * distance * radii[i];
+                aimed.direction[i] = (way[i] * cosine + side[i] * sine) * radii[i];
+            }
+            aimed
+        },
+    )
+}
+
+/// A shape in a number format.
+enum Shape<S: Scalar> {
+    Sphere(Sphere<S>),
+    Ellipsoid(Ellipsoid<S>),
+    Cylinder(Cylinder<S>),
+}
+
+impl<S: Measure> Shape<S> {
+    fn new(aimed: &Aimed) -> Self {
+        let (center, radii) = (place::<S>(aimed.center), aimed.radii);
+        let (grey, radius) = (color::<S>([0.5; 3]), S::length(radii[0]));
+        match aimed.kind {
+            Kind::Sphere => Self::Sphere(Sphere::new(center, radius, grey, Material::Opaque)),
+            Kind::Ellipsoid => {
+                Self::Ellipsoid(Ellipsoid::new(center, place::<S>(radii), grey, Material::Opaque))
+            }
+            Kind::Cylinder => Self::Cylinder(Cylinder::new(center, radius, grey, Material::Opaque)),
+        }
+    }
+
+    fn intersect(&self, ray: &Ray<S>) -> Option<S> {
+        match self {
+            Self::Sphere(sphere) => sphere.intersect(ray, S::FAR),
+            Self::Ellipsoid(ellipsoid) => ellipsoid.intersect(ray, S::FAR),
+            Self::Cylinder(cylinder) => cylinder.intersect(ray, S::FAR, S::length(LID)),
+        }
+    }
+
+    fn spot(&self, ray: &Ray<S>, t: S) -> (Spot<S>, S) {
+        match self {
+            Self::Sphere(sphere) => (sphere.spot(ray, t), sphere.radius),
+            Self::Ellipsoid(ellipsoid) => {
+                (ellipsoid.spot(ray, t), ellipsoid.extent.squashed(ellipsoid.thickness))
+            }
+            Self::Cylinder(cylinder) => (cylinder.spot(ray, t), cylinder.radius),
+        }
+    }
+
+    /// Where a place lies, in radii from the centre: 1 on the surface.
+    fn level(aimed: &Aimed, at: Triple) -> f64 {
+        let radii = read::<S>(place::<S>(aimed.radii));
+        let mut v = minus(at, read::<S>(place::<S>(aimed.center)));
+        for (c, radius) in v.iter_mut().zip(radii) {
+            *c /= radius;
+        }
+        if aimed.kind == Kind::Cylinder {
+            v[2] = 0.0;
+        }
+        length(v)
+    }
+}
+
+fn ray<S: Measure>(aimed: &Aimed) -> Ray<S> {
+    Ray::new::<Everything>(place::<S>(aimed.origin), direction::<S>(aimed.direction))
+}
+
+/// Of the numbers as the format has them, what `f64` says of hit and miss, unless it is too close to say.
+fn expected<S: Measure>(aimed: &Aimed, ray: &Ray<S>, margin: f64) -> Option<bool> {
+    let origin = read::<S>(ray.origin);
+    let mut d = read_direction::<S>(ray.direction);
+    let radii = read::<S>(place::<S>(aimed.radii));
+    let mut way = minus(read::<S>(place::<S>(aimed.center)), origin);
+    for i in 0..3 {
+        way[i] /= radii[i];
+        d[i] /= radii[i];
+    }
+    let rise = d[2] * radii[2];
+    if aimed.kind == Kind::Cylinder {
+        (way[2], d[2]) = (0.0, 0.0);
+    }
+    let b = dot(way, d) / dot(d, d);
+    // Where the lid may be in the way of either root, it is not worth the trouble.
+    let farthest = b.abs() + 1.1 / length(d);
+    if aimed.kind == Kind::Cylinder && origin[2].abs() + (farthest * rise).abs() > 0.9 * LID {
+        return None;
+    }
+    let across = length(minus(way, d.map(|c| c * b)));
+    let inside = length(way);
+    // Both the silhouette and the surface itself, where the ray starts, are limits.
+    if (across - 1.0).abs() < margin || (inside - 1.0).abs() < margin {
+        return None;
+    }
+    Some(inside < 1.0 || (across < 1.0 && b > 0.0))
+}
+
+fn check<S: Measure + Debug>(aimed: &Aimed) -> Result<(), TestCaseError> {
+    let (shape, ray) = (Shape::<S>::new(aimed), ray::<S>(aimed));
+    let (least, extent) = (
+        aimed.radii.iter().fold(f64::MAX, |least, &r| least.min(r)),
+        aimed.radii.iter().fold(0.0, |most: f64, &r| most.max(r)),
+    );
+    let reach = size(aimed.origin).max(size(aimed.center)) + 2.0 * extent;
+    let lsb = rounding::<S>(reach);
+    // The foot point is rounded by one and a half, in units of the smallest radius. In a cylinder's plan a rounding of
+    // the direction counts over all of the way.
+    let margin = (4.0 * lsb + 4.0 * S::UNIT * reach) / least;
+    let hit = shape.intersect(&ray);
+    if let Some(expected) = expected::<S>(aimed, &ray, margin) {
+        prop_assert_eq!(hit.is_some(), expected, "{} {:?}: hit or miss", S::NAME, hit);
+    }
+    let Some(t) = hit else { return Ok(()) };
+    let (Spot { point, normal, .. }, size_of_it) = shape.spot(&ray, t);
+    let level = Shape::<S>::level(aimed, read::<S>(point));
+    prop_assert!((level - 1.0).abs() <= 2.0 * lsb / least, "{}: {} off the surface", S::NAME, level - 1.0);
+    let excess = length(read_direction::<S>(normal)) - 1.0;
+    prop_assert!(excess.abs() <= 3.0 * S::UNIT, "{}: a normal is {} too long", S::NAME, excess);
+
+    // Any way out, and those that are as flat as can be.
+    let side = if normal.dot(ray.direction) > S::Unit::ZERO { -normal } else { normal };
+    let out = direction::<S>(aimed.away);
+    let out = if side.dot(out) < S::Unit::ZERO { -out } else { out };
+    let flat = out.plus(side, -side.dot(out)).normalize().map(|(flat, _)| flat);
+    let mirrored = ray.direction.reflect(side);
+    for out in [Some(out), flat, Some(mirrored)].into_iter().flatten() {
+        if side == normal && side.dot(out) > S::Unit::ZERO {
+            let (start, _) = point.leave(side, out, size_of_it);
+            let again = shape.intersect(&Ray::new::<Everything>(start, out));
+            prop_assert!(again.is_none(), "{}: met again at {:?} along {:?}", S::NAME, again, out);
+        }
+    }
+    let excess = length(read_direction::<S>(mirrored)) - length(read_direction::<S>(ray.direction));
+    prop_assert!(excess.abs() <= 8.0 * S::UNIT, "{}: a reflection is {} too long", S::NAME, excess);
+    Ok(())
+}
+
+fn snell<S: Measure>(incoming: Triple, normal: Triple, ior: f64, inside: bool) -> Result<(), TestCaseError> {
+    let (incoming, normal): (UnitVec3<S>, UnitVec3<S>) = (direction::<S>(incoming), direction::<S>(normal));
+    let normal = if normal.dot(incoming) > S::Unit::ZERO { -normal } else { normal };
+    let half = S::unit(0.5);
+    let eta = S::unit(if ior > 1.0 { 1.0 / ior } else { ior });
+    let glass = Glass { ks: half, kt: half, eta, denser: ior >= 1.0 };
+    let material = Material::Transparent(glass);
+    let surface = Surface {
+        point: place::<S>([0.0; 3]),
+        normal,
+        incoming,
+        distance: S::ZERO,
+        inside,
+        color: Rgb::new(half, half, half),
+        material: &material,
+    };
+    let sine = |v: UnitVec3<S>| {
+        let (v, n) = (read_direction::<S>(v), read_direction::<S>(normal));
+        let along = dot(v, n) / dot(n, n);
+        length(minus(v, n.map(|c| c * along)))
+    };
+    // The index that goes with the ray: above 1 into the denser.
+    let eta = if inside == glass.denser { 1.0 / S::read_unit(eta) } else { S::read_unit(eta) };
+    let bent = eta * sine(incoming);
+    // Roundings of the two directions and of the root, and of eta where it magnifies.
+    let tolerance = 8.0 * S::UNIT * eta.max(1.0);
+    match refract(&surface, &glass) {
+        None => prop_assert!(bent >= 1.0 - tolerance, "{}: total reflection at {}", S::NAME, bent),
+        Some(out) => {
+            prop_assert!((sine(out) - bent).abs() <= tolerance, "{}: {} for {}", S::NAME, sine(out), bent);
+            prop_assert!(
+                (length(read_direction::<S>(out)) - 1.0).abs() <= 4.0 * S::UNIT,
+                "{}: length",
+                S::NAME
+            );
+            prop_assert!(out.dot(normal) <= S::unit(8.0 * S::UNIT), "{}: on the wrong side", S::NAME);
+        }
+    }
+    Ok(())
+}
+
+/// The same shapes in each run; `PROPTEST_RNG_SEED` and `PROPTEST_CASES` in the environment ask for others and for more.
+fn config() -> ProptestConfig {
+    let default = ProptestConfig::default();
+    let cases = if std::env::var_os("PROPTEST_CASES").is_some() { default.cases } else { 20_000 };
+    let rng_seed = match default.rng_seed {
+        proptest::test_runner::RngSeed::Random => proptest::test_runner::RngSeed::Fixed(1990),
+        told @ proptest::test_runner::RngSeed::Fixed(_) => told,
+    };
+    ProptestConfig { cases, rng_seed, failure_persistence: None, ..default }
+}
+
+proptest! {
+    #![proptest_config(config())]
+
+    #[test]
+    fn spheres(aimed in aimed(Kind::Sphere)) {
+        check::<f32>(&aimed)?;
+        check::<Q16>(&aimed)?;
+        check::<Q20>(&aimed)?;
+    }
+
+    #[test]
+    fn ellipsoids(aimed in aimed(Kind::Ellipsoid)) {
+        check::<f32>(&aimed)?;
+        check::<Q16>(&aimed)?;
+        check::<Q20>(&aimed)?;
+    }
+
+    #[test]
+    fn cylinders(aimed in aimed(Kind::Cylinder)) {
+        check::<f32>(&aimed)?;
+        check::<Q16>(&aimed)?;
+        check::<Q20>(&aimed)?;
+    }
+
+    #[test]
+    fn refraction(incoming in unit_vector(), normal in unit_vector(), ior in 0.25..4.0_f64, inside: bool) {
+        snell::<f32>(incoming, normal, ior, inside)?;
+        snell::<Q16>(incoming, normal, ior, inside)?;
+        snell::<Q20>(incoming, normal, ior, inside)?;
+    }
+}

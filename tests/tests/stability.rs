@@ -1,0 +1,52 @@
+//! The stability suite with few rays, in a build that checks every operation: nothing happens that must not, in any
+//! format, on any case that the format admits. `rta stability` is the same with many rays and prints the errors.
+
+use rta::stability::measure::Outcome;
+use rta::stability::{FORMATS, Row, cases, guard, rows, table};
+
+/// Rays from the eye of each case, and half as many points that are looked at for acne.
+const RAYS: usize = 2000;
+
+fn suite() -> Vec<Row> {
+    rows(&cases::all(), RAYS, |_| ()).expect("nothing interrupts it")
+}
+
+#[test]
+fn nothing_happens_that_must_not() {
+    assert!(guard::CHECKED, "tests are built with debug assertions and unwind");
+    let rows = suite();
+    let unsound: Vec<Row> = rows
+        .iter()
+        .filter(|row| matches!(&row.outcome, Outcome::Traced(measured) if !measured.is_sound()))
+        .cloned()
+        .collect();
+    assert!(unsound.is_empty(), "{}", table::text(&unsound));
+    // Each case is put to every format, refused only where the format is too short or too coarse for it, and f32 is
+    // neither.
+    assert_eq!(rows.len(), FORMATS.len() * cases::all().len());
+    for Row { case, format, outcome } in &rows {
+        match outcome {
+            Outcome::Traced(measured) => {
+                assert!(measured.rays >= measured.samples as u64, "{case}, {format}")
+            }
+            Outcome::Refused(reason) => assert!(reason.contains("range"), "{case}, {format}: {reason}"),
+        }
+    }
+    let refused = |row: &&Row| matches!(row.outcome, Outcome::Refused(_));
+    assert!(rows.iter().filter(refused).all(|row| row.format != FORMATS[0]), "f32 is refused");
+    assert!(rows.iter().filter(refused).count() <= 8, "too much is refused to say anything");
+}
+
+#[test]
+fn errors_are_small_where_the_case_is_no_cliff() {
+    // Away from the places where a ray falls on either side of something, every format is within a fraction of a level.
+    let smooth =
+        ["radius 1 at distance 400", "eye inside a mirror ball", "no lamp", "no object", "eye on the floor"];
+    let mut seen = 0;
+    for Row { case, format, outcome } in suite().iter().filter(|row| smooth.contains(&row.case)) {
+        let Outcome::Traced(measured) = outcome else { panic!("{case} is refused in {format}") };
+        assert!(measured.p99 < 0.02 && measured.wrong == 0, "{case}, {format}: {measured:?}");
+        seen += 1;
+    }
+    assert_eq!(seen, smooth.len() * FORMATS.len());
+}
