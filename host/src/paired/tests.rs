@@ -124,7 +124,8 @@ fn a_trail_holds_the_ray_tree() {
     assert_eq!(primary, (RayKind::Primary, 0, glass, false));
     assert_eq!((reflected.0, reflected.1), (RayKind::Reflected, 1));
     assert!(center.trail.steps.iter().any(|s| s.met == glass && s.inside && s.kind == RayKind::Transmitted));
-    assert!(center.trail.steps.iter().any(|s| s.met == Met::Object(Object::Sphere(1))));
+    let ball = Met::Object(Object::Sphere(1));
+    assert!(all.iter().any(|p| p.trail.steps.iter().any(|s| s.met == ball && s.depth == 0)));
     assert!(inner.1 <= 2);
     let shines = || all.iter().flat_map(|p| &p.trail.steps).flat_map(|s| &s.lamps);
     let front = |wanted: f64| {

@@ -12,7 +12,6 @@ use rta_core::color::Rgb;
 use rta_core::illumination::{Illumination, RayKind, Rta, Whitted};
 use rta_core::needs::Everything;
 use rta_core::raster::{Pixels, Raster};
-use rta_core::scalar::Light;
 use rta_core::scene::Object;
 use rta_core::trace::Tracer;
 use rta_core::{Q16, Q20};
