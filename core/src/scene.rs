@@ -199,9 +199,10 @@ impl<S: Scalar> Scene<'_, S> {
             Object::Cylinder(i) if N::CYLINDERS => {
                 self.cylinders.get(i).map(|c| (c.spot(ray, distance), c.color, &c.material, c.radius))
             }
-            Object::Ellipsoid(i) if N::ELLIPSOIDS => {
-                self.ellipsoids.get(i).map(|e| (e.spot(ray, distance), e.color, &e.material, e.extent.squashed(e.thickness)))
-            }
+            Object::Ellipsoid(i) if N::ELLIPSOIDS => self
+                .ellipsoids
+                .get(i)
+                .map(|e| (e.spot(ray, distance), e.color, &e.material, e.extent.squashed(e.thickness))),
             Object::Sphere(i) if N::SPHERES => {
                 self.spheres.get(i).map(|s| (s.spot(ray, distance), s.color, &s.material, s.radius))
             }

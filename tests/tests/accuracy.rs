@@ -18,7 +18,8 @@ fn check(scenes: &[(&'static str, Description)], least: [f64; 4]) {
         let at = settings(Format::F64);
         let truth = oracle::render(scene, at.width as usize, at.height as usize, at.aspect, at.depth);
         let f64 = render(scene, &at).expect(name);
-        let against = |format, tolerance| share_within(&f64, &render(scene, &settings(format)).expect(name), tolerance);
+        let against =
+            |format, tolerance| share_within(&f64, &render(scene, &settings(format)).expect(name), tolerance);
         let shares = [
             share_within(&truth, &f64, 1e-3),
             against(Format::F32, 1.0 / 255.0),

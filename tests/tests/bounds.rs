@@ -25,7 +25,9 @@ fn rows(operation: &Operation) -> &'static [Quantity] {
         (Kind::Length, _) => &[Quantity::Reach],
         (Kind::Square, _) => &[Quantity::Square],
         (Kind::Unit, "plus") => &[Quantity::Component, Quantity::ImagePlane],
-        (Kind::Unit, "times" | "scale") => &[Quantity::Component, Quantity::Reflectance, Quantity::ImagePlane],
+        (Kind::Unit, "times" | "scale") => {
+            &[Quantity::Component, Quantity::Reflectance, Quantity::ImagePlane]
+        }
         (Kind::Unit, _) => &[Quantity::Component],
         (Kind::Light, _) => &[Quantity::Radiance],
     }
@@ -40,20 +42,25 @@ where
     let bounds: [Bound; 12] = narrowed.scene().prove(&narrowed.camera).bounds;
     let admitted = narrowed.scene().admit(&narrowed.camera).ok()?;
     let tracer: Tracer<_, _, Everything, 5> = Tracer::new(admitted, Rta, 5).expect("depth 5 of 5");
-    let bound = |q: &Quantity| bounds.iter().find(|row| row.quantity == *q).map_or(0.0, |row| value(row.bound));
+    let bound =
+        |q: &Quantity| bounds.iter().find(|row| row.quantity == *q).map_or(0.0, |row| value(row.bound));
     let limit = value(Magnitude::new(1, 15));
     let mut most = (0.0, "nothing");
     for (i, j) in (0..200).step_by(7).flat_map(|j| (0..320).step_by(11).map(move |i| (i, j))) {
         let ((), log) = record(|| {
             let center = |i: i64, n: i64| <Paired<S> as Scalar>::Unit::ratio(2 * i + 1 - n, 2 * n);
-            let direction: UnitVec3<Paired<S>> = narrowed.camera.direction(center(i, 320), center(199 - j, 200));
+            let direction: UnitVec3<Paired<S>> =
+                narrowed.camera.direction(center(i, 320), center(199 - j, 200));
             tracer.primary(&narrowed.camera, direction);
         });
         assert!(!log.operations.is_empty(), "the scalar is instrumented");
         for operation in &log.operations {
             let rows = rows(operation);
             // Radiance saturates: its bound is the format's largest, whatever the row says of the lamps.
-            let bound = rows.iter().map(bound).fold(if operation.kind == Kind::Light { limit } else { 0.0 }, f64::max);
+            let bound = rows
+                .iter()
+                .map(bound)
+                .fold(if operation.kind == Kind::Light { limit } else { 0.0 }, f64::max);
             if !rows.is_empty() {
                 let part = operation.size / bound;
                 assert!(part <= 1.0, "{name} {}: pixel {i},{j}: {operation:?} exceeds {bound}", S::NAME);
@@ -66,7 +73,8 @@ where
 
 #[test]
 fn no_quantity_exceeds_its_bound() {
-    let shipped = shipped::ALL.iter().map(|(name, text)| (*name, dat::read(text.as_bytes(), name).expect("shipped")));
+    let shipped =
+        shipped::ALL.iter().map(|(name, text)| (*name, dat::read(text.as_bytes(), name).expect("shipped")));
     for (name, scene) in shipped.chain(random_scenes::all()) {
         let (q16, q20) = (check::<Q16>(name, &scene), check::<Q20>(name, &scene));
         println!("{name:20} q16 {q16:?}  q20 {q20:?}");

@@ -43,7 +43,10 @@ fn attenuation_spans_ten_decades() {
         if exact >= 32768.0 {
             assert_eq!(light.0, Q16::MAX, "{power} at {distance} saturates");
         } else {
-            assert!((got - exact).abs() <= 1.0 / 65536.0 + exact * 1e-8, "{power} at {distance}: {got}, not {exact}");
+            assert!(
+                (got - exact).abs() <= 1.0 / 65536.0 + exact * 1e-8,
+                "{power} at {distance}: {got}, not {exact}"
+            );
         }
     }
 }
@@ -56,7 +59,11 @@ fn normalised_vectors_have_length_one_whatever_their_size() {
         let v = direction(&mut dice).map(|c| Q16::length(c.to_num::<f64>() * size));
         let Some((unit, length, _)) = v.normalize() else { continue };
         let exact = floats(v).iter().map(|c| c * c).sum::<f64>().sqrt();
-        assert!((length.to_num::<f64>() - exact).abs() <= (0.5 + 3.0 * exact * UNIT_LSB * 65536.0) / 65536.0 + 1e-12, "{exact}");
+        assert!(
+            (length.to_num::<f64>() - exact).abs()
+                <= (0.5 + 3.0 * exact * UNIT_LSB * 65536.0) / 65536.0 + 1e-12,
+            "{exact}"
+        );
         for (got, want) in floats(unit).iter().zip(floats(v)) {
             assert!((got - want / exact).abs() <= 2.5 * UNIT_LSB, "{got}, not {}", want / exact);
         }
