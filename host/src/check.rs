@@ -77,7 +77,7 @@ pub fn run(args: &CheckArgs) -> Result<(), Error> {
         return print(&format!("{} is admitted to {}\n", scene.title, args.format));
     };
     let others = alternatives(&scene.description, args.format, aspect);
-    Err(Error::Refused { name: scene.source, format: args.format, reason, others })
+    Err(Error::Refused { name: scene.source, format: args.format, reason: Box::new(reason), others })
 }
 
 fn print(text: &str) -> Result<(), Error> {

@@ -40,7 +40,7 @@ pub enum Error {
         /// The format.
         format: Format,
         /// Why not.
-        reason: Refusal,
+        reason: Box<Refusal>,
         /// The formats that do admit it.
         others: Vec<Format>,
     },
