@@ -5,7 +5,7 @@
 //! | the cases | [`cases`] |
 //! | where their rays start and go | [`aim`] |
 //! | numbers rounded to a format and read back | [`exact`] |
-//! | the rays of one case in one format | [`measure`] |
+//! | the rays of one case in one format | [`mod@measure`] |
 //! | points that shadow themselves | [`acne`] |
 //! | panics and overflows | [`guard`] |
 //! | what comes out | [`table`] |
@@ -68,13 +68,16 @@ pub fn rows(cases: &[Case], samples: usize, mut done: impl FnMut(u32)) -> Result
     bands::pool(None)?.in_place_scope(|scope| {
         let work = &work;
         scope.spawn(move |_| {
-            work.par_iter().enumerate().with_max_len(1).for_each_with(sender, |sender, (place, (case, format))| {
-                if !stop.load(Ordering::Relaxed) {
-                    let outcome = measure(case, *format, samples);
-                    // Nobody listens any more only after an interrupt.
-                    let _ = sender.send((place, Row { case: case.name, format: *format, outcome }));
-                }
-            });
+            work.par_iter().enumerate().with_max_len(1).for_each_with(
+                sender,
+                |sender, (place, (case, format))| {
+                    if !stop.load(Ordering::Relaxed) {
+                        let outcome = measure(case, *format, samples);
+                        // Nobody listens any more only after an interrupt.
+                        let _ = sender.send((place, Row { case: case.name, format: *format, outcome }));
+                    }
+                },
+            );
         });
         for (count, row) in (1..).zip(receiver) {
             rows.push(row);
@@ -102,7 +105,10 @@ pub fn run(args: &StabilityArgs) -> Result<(), Error> {
     let mut out = io::stdout().lock();
     out.write_all(table::text(&rows).as_bytes()).and_then(|()| out.flush()).map_err(stdout)?;
     if !guard::CHECKED {
-        let _ = writeln!(io::stderr(), "rta: this build does not look for overflow: use cargo run --profile checked");
+        let _ = writeln!(
+            io::stderr(),
+            "rta: this build does not look for overflow: use cargo run --profile checked"
+        );
     }
     if let (Some(path), Some(before)) = (&args.output, before) {
         let profile = if guard::CHECKED { "--profile checked" } else { "--release" };

@@ -1,7 +1,8 @@
 //! Panics, caught one ray at a time, and told apart from overflow.
 
 use core::cell::RefCell;
-use std::panic::{self, AssertUnwindSafe, PanicHookInfo};
+use core::panic::AssertUnwindSafe;
+use std::panic::{self, PanicHookInfo};
 use std::sync::Once;
 
 /// Whether this build checks every operation and can go on after a panic; where it does not, a count of 0 says nothing.
