@@ -2,7 +2,7 @@
 //! format, on any case that the format admits. `rta stability` is the same with many rays and prints the errors.
 
 use rta::stability::measure::Outcome;
-use rta::stability::{FORMATS, Row, cases, guard, rows, table};
+use rta::stability::{FORMATS, Row, cases, rows, table};
 
 /// Rays from the eye of each case, and half as many points that are looked at for acne.
 const RAYS: usize = 2000;
