@@ -70,6 +70,17 @@ pub enum Command {
     /// Its colour in both, its ray tree in both, the first decision that came out otherwise with both operands, and the
     /// operations of the tracer that lost most, each with its place in the source.
     Explain(ExplainArgs),
+    /// Measure error against run time
+    ///
+    /// Every combination of number format, recursion depth, contribution cut-off and samples a pixel is traced, its
+    /// error measured apart (rounding, truncation, sampling, display) and together, and its cost as rays, as retired
+    /// instructions (where valgrind is installed) and as CPU seconds. It takes minutes. In the folder it leaves
+    /// report.md, which names the cheapest setting for each error, report.csv with everything, and for each scene
+    /// a work-precision diagram in SVG and PNG.
+    Report(ReportArgs),
+    /// What `rta report` runs under valgrind.
+    #[command(hide = true)]
+    Instructions(InstructionsArgs),
 }
 
 /// `rta show`.
@@ -164,6 +175,36 @@ pub struct StabilityArgs {
     /// Markdown file that gets the table too, in the place that is marked in it for that
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
+}
+
+/// `rta report`.
+#[derive(Args, Debug)]
+pub struct ReportArgs {
+    /// Scene files (.dat); without one, the three that come with the program
+    pub scenes: Vec<PathBuf>,
+    /// Folder that the report is written to; it is made if it is not there
+    #[arg(short, long, value_name = "FOLDER")]
+    pub output: PathBuf,
+    /// Do not count instructions: cost is rays
+    #[arg(long)]
+    pub no_instructions: bool,
+    /// Pixels of the pictures, up to 320x200; few are soon measured, and badly
+    #[arg(long, value_name = "WxH", default_value = "320x200", hide = true)]
+    pub size: Size,
+    /// Shape of the screen.
+    #[arg(long, value_name = "RATIO", default_value = "4:3", hide = true)]
+    pub aspect: Aspect,
+}
+
+/// `rta instructions`: the scene comes from standard input.
+#[derive(Args, Debug)]
+pub struct InstructionsArgs {
+    /// Pixels of the pictures.
+    #[arg(long)]
+    pub size: Size,
+    /// Shape of the screen.
+    #[arg(long)]
+    pub aspect: Aspect,
 }
 
 /// How a picture is traced, for every command.

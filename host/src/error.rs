@@ -90,6 +90,9 @@ pub enum Error {
     /// The emulated device refuses what the program does with it.
     #[error("the display: {0}")]
     Display(Box<dyn core::error::Error + Send + Sync>),
+    /// The report cannot be put together.
+    #[error("the report: {0}")]
+    Report(Box<dyn core::error::Error + Send + Sync>),
     /// Not enough memory for the picture.
     #[error("not enough memory for a picture of {0}")]
     Memory(Size),
@@ -108,6 +111,11 @@ impl Error {
     /// An error of a driver.
     pub(crate) fn display(source: impl core::error::Error + Send + Sync + 'static) -> Self {
         Self::Display(Box::new(source))
+    }
+
+    /// An error of a part of a report.
+    pub(crate) fn report(source: impl core::error::Error + Send + Sync + 'static) -> Self {
+        Self::Report(Box::new(source))
     }
 
     /// An error about writing `path`, except that a pipe nobody reads any more is [`Error::BrokenPipe`].

@@ -7,7 +7,7 @@ use std::process::ExitCode;
 use clap::Parser;
 use rta::args::{Cli, Command, ShowArgs};
 use rta::error::Error;
-use rta::{check, explain, interrupt, render, stability, window};
+use rta::{check, explain, interrupt, render, report, stability, window};
 
 /// Status after any error.
 const FAILED: u8 = 2;
@@ -29,6 +29,8 @@ fn main() -> ExitCode {
         None => window::run(&ShowArgs::default()),
         Some(Command::Show(args)) => window::run(&args),
         Some(Command::Render(args)) => render::run(&args),
+        Some(Command::Report(args)) => report::run(&args),
+        Some(Command::Instructions(args)) => report::instructions::run(&args),
         Some(Command::Stability(args)) => stability::run(&args),
         Some(Command::Check(args)) => check::run(&args),
         Some(Command::Explain(args)) => explain::run(&args),

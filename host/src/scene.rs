@@ -38,14 +38,38 @@ impl Scene {
     /// # Errors
     /// [`Error::Read`] and [`Error::Scene`].
     pub fn open(path: &Path) -> Result<Self, Error> {
-        if path == Path::new("-") {
-            let name = "standard input";
-            return Self::parse(name, "stdin", &read(io::stdin().lock(), name)?);
-        }
-        let name = path.display().to_string();
-        let file = File::open(path).map_err(|source| Error::Read { name: name.clone(), source })?;
-        let title = path.file_stem().map_or_else(|| name.clone(), |stem| stem.to_string_lossy().into_owned());
-        Self::parse(&name, &title, &read(file, &name)?)
+        Self::open_with_text(path).map(|(scene, _)| scene)
+    }
+
+    /// The same, with the text that was read.
+    ///
+    /// # Errors
+    /// [`Error::Read`] and [`Error::Scene`].
+    pub fn open_with_text(path: &Path) -> Result<(Self, Vec<u8>), Error> {
+        let (name, title, text) = if path == Path::new("-") {
+            let name = "standard input".to_owned();
+            let text = read(io::stdin().lock(), &name)?;
+            (name, "stdin".to_owned(), text)
+        } else {
+            let name = path.display().to_string();
+            let file = File::open(path).map_err(|source| Error::Read { name: name.clone(), source })?;
+            let stem = path.file_stem().map(|stem| stem.to_string_lossy().into_owned());
+            let text = read(file, &name)?;
+            (name.clone(), stem.unwrap_or(name), text)
+        };
+        Ok((Self::parse(&name, &title, &text)?, text))
+    }
+
+    /// All scenes that the program carries in itself, with their texts.
+    ///
+    /// # Errors
+    /// [`Error::Scene`] if one is not as the format has it.
+    pub fn shipped() -> Result<Vec<(Self, Vec<u8>)>, Error> {
+        let scene = |(name, text): (&str, &str)| {
+            let title = name.trim_end_matches(".dat");
+            Ok((Self::parse(name, title, text.as_bytes())?, text.as_bytes().to_vec()))
+        };
+        shipped::ALL.into_iter().map(scene).collect()
     }
 
     fn parse(source: &str, title: &str, text: &[u8]) -> Result<Self, Error> {
