@@ -126,7 +126,8 @@ macro_rules! float {
                 power
             }
             fn fall_off(power: Self, distance: Self) -> Self {
-                power * distance * distance
+                // A lamp that all but touches the point: infinity times a cosine of 0 would be no number.
+                (power * distance * distance).min($far)
             }
         }
 

@@ -24,6 +24,8 @@ pub enum Stand {
 pub enum Aim {
     /// Through anywhere on the image plane: the picture itself.
     Picture,
+    /// Through the centre of the image plane.
+    Center,
     /// Past the silhouette of the first round object, from a tenth of its radius down to 1e-9 of it on either side.
     Silhouette,
     /// At the silhouette itself, as near as `f64` can tell.
@@ -165,6 +167,7 @@ impl Aim {
         };
         match self {
             Self::Picture => Drawn::Through(rng.f64() - 0.5, rng.f64() - 0.5),
+            Self::Center => Drawn::Through(0.0, 0.0),
             Self::Silhouette => past(&|rng| 1.0 + sign(rng) * magnitude(rng, -9.0, -1.0)),
             Self::Tangent => past(&|_| 1.0),
             Self::Critical(ior) => past(&|rng| (1.0 + 1e-6 * signed(rng)) / ior),

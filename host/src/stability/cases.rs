@@ -188,6 +188,9 @@ pub fn all() -> Vec<Case> {
     add("lamp of 1e6 at 0.01", still, Aim::Picture, 2, ball().lamp([0.0, 3.99, 2.0], 1e6, 0.0));
     add("lamp of 1e-4 at 0.01", still, Aim::Picture, 2, ball().lamp([0.0, 3.99, 2.0], 1e-4, 0.001));
     add("lamp of 1e-4 at 1000", still, Aim::Picture, 2, ball().lamp([-300.0, -400.0, 800.0], 1e-4, 2.0));
+    // Straight down, at the very place of the floor that the lamp all but touches.
+    let touched = plain([0.0, 0.0, 1.0], [0.0, 0.0, -1.0]).dark().lamp([1e-20; 3], 1e4, 0.0);
+    add("lamp of 1e4 at 1e-20", Stand::Shaken(0.0), Aim::Center, 2, touched);
     let crowd = (0..1000).fold(ball(), |scene, i| {
         let (ring, turn) = (f64::from(i % 25), f64::from(i) * 0.0097);
         scene.lamp([(4.0 + ring) * turn.sin(), (4.0 + ring) * turn.cos(), 2.0 + 0.3 * ring], 0.1, 0.01)
@@ -205,8 +208,12 @@ pub fn all() -> Vec<Case> {
     add("focal distance 0.01", still, Aim::Picture, 3, focal(0.01));
     add("focal distance 100", still, Aim::Picture, 3, focal(100.0));
 
-    if let Some(crowd) = cases.iter_mut().find(|case| case.scene.lamps.len() == 1000) {
-        crowd.thinning = 100;
+    for case in &mut cases {
+        case.thinning = match case.aim {
+            Aim::Center => 1000, // they are all the same
+            _ if case.scene.lamps.len() == 1000 => 100,
+            _ => 1,
+        };
     }
     cases
 }
