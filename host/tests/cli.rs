@@ -149,7 +149,7 @@ fn scenes_beyond_fixed_point() {
     let folder = Folder::new();
     folder.scene("far.dat", spoilt("0 0 1   1 1 1   1   2", "0 90000 1   1 1 1   1   2"));
     let args = ["render", "far.dat", "-o", "out.png", "--format"];
-    folder.refuses(&[&args[..], &["q16"]].concat(), &["far.dat", "sphere 1", "90001", "8192"]);
+    folder.refuses(&[&args[..], &["q16"]].concat(), &["far.dat", "sphere 1", "90001", "32767"]);
     folder.refuses(&["show", "far.dat", "--format", "q16"], &["far.dat", "sphere 1", "90001"]);
     folder.renders(&["far.dat", "-o", "out.png", "--format", "f32"]);
 }

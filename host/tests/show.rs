@@ -42,7 +42,7 @@ fn keys_change_the_picture_and_back() {
         (vec![Command::Shallower; 5], vec![Command::Deeper; 5], "| depth 0 |"),
         (
             vec![Command::Format, Command::Model],
-            vec![Command::Format, Command::Format, Command::Model],
+            vec![Command::Format, Command::Format, Command::Format, Command::Model],
             "| f64 |",
         ),
     ] {

@@ -293,8 +293,8 @@ mod tests {
     fn errors_name_object_number_and_limit() {
         assert_eq!(refused(|_| ()), "admitted");
         assert_eq!(
-            refused(|s| s.spheres[1].position[0] = -9000.0),
-            "sphere 2 (line 9) is out of q16's range: x (with the radius) 9000.9, beyond the largest 8192"
+            refused(|s| s.spheres[1].position[0] = -40000.0),
+            "sphere 2 (line 9) is out of q16's range: x (with the radius) 40000.9, beyond the largest 32767.99998474121"
         );
         assert_eq!(
             refused(|s| s.spheres[0].radius = 1e-5),

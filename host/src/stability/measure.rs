@@ -172,11 +172,12 @@ fn directions<S: Exact>(drawn: Drawn, tested: &Side<S>, exact: &Side<f64>) -> (U
     }
 }
 
-/// How far the worst register is off on a display of 256 levels; nothing if one is no number.
+/// How far the worst register is off on a display of 256 levels; nothing if one is no number. What `f64` still holds may be
+/// beyond `f32`, in which both arrive here.
 fn difference(got: Rgb<f32>, want: Rgb<f32>) -> Option<f64> {
     let levels = got.zip(want, |got, want| {
         let shown = |light: f32| f64::from(light).clamp(0.0, 1.0) * LEVELS;
-        (got.is_finite() && want.is_finite()).then(|| (shown(got) - shown(want)).abs())
+        (got.is_finite() && !want.is_nan()).then(|| (shown(got) - shown(want)).abs())
     });
     Some(levels.r?.max(levels.g?).max(levels.b?))
 }
