@@ -4,7 +4,7 @@ use core::ops::Range;
 use std::sync::Once;
 
 use plotters::coord::Shift;
-use plotters::coord::combinators::LogCoord;
+use plotters::coord::combinators::{BindKeyPoints, LogCoord, WithKeyPoints};
 use plotters::prelude::*;
 use plotters::style::{FontStyle, register_font};
 use rta_core::color::Rgb;
@@ -25,7 +25,8 @@ const LEVELS: [(&str, f64); 3] = [("1/15", 1.0 / 15.0), ("1/63", 1.0 / 63.0), ("
 
 type DrawError<B> = DrawingAreaErrorKind<<B as DrawingBackend>::ErrorType>;
 type Area<B> = DrawingArea<B, Shift>;
-type Chart<'a, B> = ChartContext<'a, B, Cartesian2d<LogCoord<f64>, LogCoord<f64>>>;
+type Chart<'a, B> =
+    ChartContext<'a, B, Cartesian2d<WithKeyPoints<LogCoord<f64>>, WithKeyPoints<LogCoord<f64>>>>;
 
 /// A diagram cannot be drawn.
 #[derive(Debug, thiserror::Error)]
@@ -103,12 +104,25 @@ fn radius(method: Method) -> i32 {
     if method.format == Format::Q16 { 5 } else { 3 }
 }
 
-/// An axis that holds all points with a little room; it begins at a power of ten.
+/// An axis that holds all points with a little room.
 fn around(values: impl Iterator<Item = f64> + Clone) -> Range<f64> {
     let positive = values.filter(|value| *value > 0.0);
     let least = positive.clone().fold(f64::INFINITY, f64::min);
     let most = positive.fold(0.0, f64::max);
-    if least <= most { 10_f64.powf((least / 1.1).log10().floor())..most * 1.2 } else { 0.1..1.0 }
+    if least <= most { least / 1.25..most * 1.25 } else { 0.1..1.0 }
+}
+
+/// An axis with its ticks at 1, 2 and 5 times the powers of ten.
+fn axis(range: &Range<f64>) -> WithKeyPoints<LogCoord<f64>> {
+    let mut ticks = Vec::new();
+    let mut power = 10_f64.powf(range.start.log10().floor());
+    while power < range.end {
+        ticks.extend(
+            [1.0, 2.0, 5.0].map(|digit| digit * power).into_iter().filter(|tick| range.contains(tick)),
+        );
+        power *= 10.0;
+    }
+    range.clone().log_scale().with_key_points(ticks)
 }
 
 fn draw<B: DrawingBackend>(root: &Area<B>, study: &Study) -> Result<(), DrawError<B>> {
@@ -123,13 +137,11 @@ fn draw<B: DrawingBackend>(root: &Area<B>, study: &Study) -> Result<(), DrawErro
         .margin(12)
         .x_label_area_size(52)
         .y_label_area_size(76)
-        .build_cartesian_2d(around(rows.iter().map(cost)).log_scale(), around(errors).log_scale())?;
+        .build_cartesian_2d(axis(&around(rows.iter().map(cost))), axis(&around(errors)))?;
     chart
         .configure_mesh()
         .x_desc(if counted { "cost of a picture (retired instructions)" } else { "cost of a picture (rays)" })
         .y_desc("error (RMSE against f64, depth 32, 1024 samples; 1 is white)")
-        .x_labels(12)
-        .y_labels(24)
         .x_label_formatter(&|value| label(*value))
         .y_label_formatter(&|value| label(*value))
         .axis_desc_style(("sans-serif", 15))
@@ -155,14 +167,14 @@ fn draw<B: DrawingBackend>(root: &Area<B>, study: &Study) -> Result<(), DrawErro
     root.present()
 }
 
-/// The label of a place on an axis, where it is 1, 2 or 5 times a power of ten.
-fn label(value: f64) -> String {
-    let exponent = (value * 1.0001).log10().floor();
-    let digit = (value / 10_f64.powf(exponent)).round();
-    match exponent {
-        _ if ![1.0, 2.0, 5.0].contains(&digit) => String::new(),
-        -4.0..=-1.0 => format!("{value:.4}").trim_end_matches('0').to_owned(),
-        _ => format!("{digit}e{exponent}"),
+/// The label of a tick.
+fn label(tick: f64) -> String {
+    let exponent = (tick * 1.0001).log10().floor();
+    let digit = (tick / 10_f64.powf(exponent)).round();
+    if (-4.0..0.0).contains(&exponent) {
+        format!("{tick:.4}").trim_end_matches('0').to_owned()
+    } else {
+        format!("{digit}e{exponent}")
     }
 }
 
