@@ -15,7 +15,6 @@
 //! }
 //! ```
 
-use crate::light::Lamp;
 use crate::material::Material;
 use crate::scalar::Scalar;
 use crate::scene::Scene;
@@ -36,10 +35,16 @@ pub trait Needs: Send + Sync + 'static {
     const VISIBLE_LAMPS: bool = true;
     /// Highlights on shiny surfaces.
     const GLINT: bool = true;
-    /// Reflected rays.
+    /// Reflected rays. Without them, and so without transmitted ones, there is no ray tree and no stack for it.
     const MIRROR: bool = true;
     /// Transmitted rays; they take [`Needs::MIRROR`] for total internal reflection.
     const GLASS: bool = true;
+    /// Lamps.
+    const LAMPS: bool = true;
+    /// More than one lamp; without it only the first one shines.
+    const SEVERAL_LAMPS: bool = true;
+    /// Surfaces whose light falls off with the distance to the lamp.
+    const ATTENUATION: bool = true;
     /// Shadows.
     const SHADOWS: bool = true;
     /// Transparent objects let part of the light through into their shadow.
@@ -52,37 +57,109 @@ pub struct Everything;
 
 impl Needs for Everything {}
 
-/// The name of the first constant that is false in `N` although the scene uses what it stands for. Where `Rta` is not the
-/// illumination model, shiny surfaces may want reflected rays as well.
-pub fn missing<N: Needs, S: Scalar>(scene: &Scene<S>) -> Option<&'static str> {
-    let materials = || {
-        let spheres = scene.spheres.iter().map(|s| &s.material);
-        let ellipsoids = scene.ellipsoids.iter().map(|e| &e.material);
-        spheres.chain(ellipsoids).chain(scene.cylinders.iter().map(|c| &c.material))
-    };
-    let glass = || materials().any(|m| matches!(m, Material::Transparent(_)));
-    let seen = |lamp: &Lamp<S>| lamp.radius > S::ZERO;
-    if !N::SPHERES && !scene.spheres.is_empty() {
-        Some("SPHERES")
-    } else if !N::ELLIPSOIDS && !scene.ellipsoids.is_empty() {
-        Some("ELLIPSOIDS")
-    } else if !N::CYLINDERS && !scene.cylinders.is_empty() {
-        Some("CYLINDERS")
-    } else if !N::FLOOR && scene.floor.is_some() {
-        Some("FLOOR")
-    } else if !N::SKY_GRADIENT && scene.sky.horizon != scene.sky.zenith {
-        Some("SKY_GRADIENT")
-    } else if !N::VISIBLE_LAMPS && scene.lamps.iter().any(seen) {
-        Some("VISIBLE_LAMPS")
-    } else if !N::GLINT && materials().any(|m| matches!(m, Material::Shiny)) {
-        Some("GLINT")
-    } else if !N::MIRROR && (glass() || materials().any(|m| matches!(m, Material::Mirror))) {
-        Some("MIRROR")
-    } else if !N::GLASS && glass() {
-        Some("GLASS")
-    } else if !N::TRANSPARENT_SHADOWS && N::SHADOWS && glass() {
-        Some("TRANSPARENT_SHADOWS")
-    } else {
-        None
+/// The needs of one scene with the illumination model [`Rta`](crate::illumination::Rta): the same constants as values.
+///
+/// [`Whitted`](crate::illumination::Whitted) reflects and shows highlights on more materials, which `specular` tells.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[allow(clippy::struct_excessive_bools, missing_docs)] // each is the constant of the same name
+pub struct Used {
+    pub spheres: bool,
+    pub ellipsoids: bool,
+    pub cylinders: bool,
+    pub floor: bool,
+    pub sky_gradient: bool,
+    pub visible_lamps: bool,
+    pub glint: bool,
+    pub mirror: bool,
+    pub glass: bool,
+    pub lamps: bool,
+    pub several_lamps: bool,
+    pub attenuation: bool,
+    pub shadows: bool,
+    pub transparent_shadows: bool,
+}
+
+impl Used {
+    /// What a scene uses. `specular` is whether shiny surfaces reflect, and mirrors and glass show highlights: not in
+    /// the model `Rta`, but in `Whitted`.
+    pub fn by<S: Scalar>(scene: &Scene<S>, specular: bool) -> Self {
+        let materials = || {
+            let spheres = scene.spheres.iter().map(|s| &s.material);
+            let ellipsoids = scene.ellipsoids.iter().map(|e| &e.material);
+            spheres.chain(ellipsoids).chain(scene.cylinders.iter().map(|c| &c.material))
+        };
+        let glass = materials().any(|m| matches!(m, Material::Transparent(_)));
+        let shiny = materials().any(|m| matches!(m, Material::Shiny));
+        let mirror = glass || materials().any(|m| matches!(m, Material::Mirror)) || (specular && shiny);
+        let floor = scene.floor.is_some();
+        let lit = floor || materials().any(|m| specular || matches!(m, Material::Opaque | Material::Shiny));
+        let lamps = lit && !scene.lamps.is_empty();
+        Self {
+            spheres: !scene.spheres.is_empty(),
+            ellipsoids: !scene.ellipsoids.is_empty(),
+            cylinders: !scene.cylinders.is_empty(),
+            floor,
+            sky_gradient: scene.sky.horizon != scene.sky.zenith,
+            visible_lamps: scene.lamps.iter().any(|lamp| lamp.radius > S::ZERO),
+            glint: lamps && (shiny || (specular && mirror)),
+            mirror,
+            glass,
+            lamps,
+            several_lamps: lamps && scene.lamps.len() > 1,
+            attenuation: lamps && !specular,
+            shadows: lamps,
+            transparent_shadows: lamps && glass,
+        }
     }
+
+    /// The constants of `N` as values, and their names.
+    pub const fn of<N: Needs>() -> Self {
+        Self {
+            spheres: N::SPHERES,
+            ellipsoids: N::ELLIPSOIDS,
+            cylinders: N::CYLINDERS,
+            floor: N::FLOOR,
+            sky_gradient: N::SKY_GRADIENT,
+            visible_lamps: N::VISIBLE_LAMPS,
+            glint: N::GLINT,
+            mirror: N::MIRROR,
+            glass: N::GLASS,
+            lamps: N::LAMPS,
+            several_lamps: N::SEVERAL_LAMPS,
+            attenuation: N::ATTENUATION,
+            shadows: N::SHADOWS,
+            transparent_shadows: N::TRANSPARENT_SHADOWS,
+        }
+    }
+
+    /// Each constant's name and value.
+    pub const fn named(self) -> [(&'static str, bool); 14] {
+        [
+            ("SPHERES", self.spheres),
+            ("ELLIPSOIDS", self.ellipsoids),
+            ("CYLINDERS", self.cylinders),
+            ("FLOOR", self.floor),
+            ("SKY_GRADIENT", self.sky_gradient),
+            ("VISIBLE_LAMPS", self.visible_lamps),
+            ("GLINT", self.glint),
+            ("MIRROR", self.mirror),
+            ("GLASS", self.glass),
+            ("LAMPS", self.lamps),
+            ("SEVERAL_LAMPS", self.several_lamps),
+            ("ATTENUATION", self.attenuation),
+            ("SHADOWS", self.shadows),
+            ("TRANSPARENT_SHADOWS", self.transparent_shadows),
+        ]
+    }
+}
+
+/// The name of the first constant that is false in `N` although the scene uses what it stands for, with the illumination
+/// model `Rta`. Shadows may be left out on purpose.
+pub fn missing<N: Needs, S: Scalar>(scene: &Scene<S>) -> Option<&'static str> {
+    let waived = |name| !N::SHADOWS && matches!(name, "SHADOWS" | "TRANSPARENT_SHADOWS");
+    let (used, there) = (Used::by(scene, false).named(), Used::of::<N>().named());
+    used.into_iter()
+        .zip(there)
+        .find(|&((name, used), (_, there))| used && !there && !waived(name))
+        .map(|((name, _), _)| name)
 }

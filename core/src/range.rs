@@ -35,7 +35,13 @@ pub struct Admitted<'a, S: Scalar> {
     limits: Limits<S>,
 }
 
-impl<S: Scalar> Admitted<'_, S> {
+impl<'a, S: Scalar> Admitted<'a, S> {
+    /// A scene that was admitted before, when it was baked into a program: the proof is not made again. Nothing
+    /// checks that it ever was made, so this is for generated code alone; everybody else asks [`Scene::admit`].
+    pub const fn baked(scene: Scene<'a, S>, limits: Limits<S>) -> Self {
+        Self { scene, limits }
+    }
+
     /// How far the scene is seen and lit.
     pub fn limits(&self) -> Limits<S> {
         self.limits

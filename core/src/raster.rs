@@ -46,8 +46,8 @@ impl Raster {
     /// Where the centre of pixel `i` of `n` lies, from -1/2 to 1/2: the whole extent scaled by `(2i + 1) / 2n`. A step
     /// that was rounded and then added up would drift across the picture.
     fn center<U: Unit>(i: u32, n: u32) -> U {
-        let (i, n) = (i64::from(i), i64::from(n));
-        U::ratio(2 * i + 1 - n, 2 * n)
+        // Both are at most 2^17.
+        U::fraction((2 * i + 1).cast_signed() - n.cast_signed(), 2 * n)
     }
 }
 

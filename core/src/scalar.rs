@@ -102,8 +102,12 @@ pub trait Scalar:
     /// The same for the coordinate `self + slope * height / fall`, where the quotient may lie beyond [`Scalar::FAR`].
     fn odd_far_tile(self, slope: Self::Unit, height: Self, fall: Self::Unit) -> bool;
 
+    /// Whether the machine has lanes that make [`Scalar::may_meet`] worth asking.
+    const LANES: bool = false;
+
     /// Which of four spheres, each a centre and a radius, a ray may meet: a test that costs less than the search and
-    /// never says no where the search finds something. Formats without lanes to spare say yes.
+    /// never says no where the search finds something. Says yes to all unless
+    /// there are [`Scalar::LANES`].
     #[inline]
     fn may_meet(
         _spheres: [(Self::Vector, Self); 4],
@@ -147,6 +151,9 @@ pub trait Unit:
     fn size(self) -> Magnitude;
     /// `numerator / denominator`, rounded to the nearest; `denominator > 0` and the value below 2 in size.
     fn ratio(numerator: i64, denominator: i64) -> Self;
+    /// `numerator / denominator` of numbers that are known only when the program runs; the same value as
+    /// [`Unit::ratio`], without a division of 64 bits.
+    fn fraction(numerator: i32, denominator: u32) -> Self;
     /// The product, rounded.
     fn times(self, factor: Self) -> Self;
     /// `self / divisor`, where the divisor is given by its reciprocal; saturates at 2.

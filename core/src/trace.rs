@@ -80,6 +80,10 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize> Tracer<'a,
 
     /// The light that arrives at `origin` against `direction`, from all of the ray tree.
     pub fn radiance(&self, origin: Vec3<S>, direction: UnitVec3<S>) -> Rgb<S::Light> {
+        if !N::MIRROR {
+            self.model.note(RayKind::Primary);
+            return self.local(&Ray::new::<N>(origin, direction)).0;
+        }
         let mut pending = Vec::<Pending<S, M::Weight>, STACK>::new();
         let mut light = Rgb::BLACK;
         let mut next =
@@ -105,27 +109,33 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize> Tracer<'a,
 
     /// What one ray brings of its own, and the rays that it spawns.
     fn shade(&self, ray: &Ray<S>, parent: &Pending<S, M::Weight>) -> (Rgb<S::Light>, Children<S, M::Weight>) {
+        let (light, seen) = self.local(ray);
+        let children = match seen {
+            Some((surface, extent)) if parent.depth < self.depth => self.spawn(&surface, extent, parent),
+            _ => [None, None],
+        };
+        (light, children)
+    }
+
+    /// What one ray brings of its own, and the surface that it has met with the size of its object.
+    fn local(&self, ray: &Ray<S>) -> (Rgb<S::Light>, Option<(Surface<'_, S>, S)>) {
         let (surface, extent) = match self.scene.look::<N>(ray, &self.scene.limits()) {
             Seen::Light(light) => {
                 self.model.note_light(light);
-                return (light, [None, None]);
+                return (light, None);
             }
             Seen::Surface(surface, extent) => (surface, extent),
         };
         let mut light = self.model.ambient::<N>(&surface, self.scene.ambient);
-        if self.model.is_lit(&surface) {
-            for lamp in self.scene.lamps {
+        if N::LAMPS && self.model.is_lit(&surface) {
+            let lamps = if N::SEVERAL_LAMPS { self.scene.lamps.len() } else { 1 };
+            for lamp in self.scene.lamps.iter().take(lamps) {
                 if let Some(incident) = Incident::new(lamp, surface.point, surface.normal) {
                     light = light.plus(self.direct(&surface, &incident, extent));
                 }
             }
         }
-        let children = if N::MIRROR && parent.depth < self.depth {
-            self.spawn(&surface, extent, parent)
-        } else {
-            [None, None]
-        };
-        (light, children)
+        (light, Some((surface, extent)))
     }
 
     /// What the surface sends back of one lamp.

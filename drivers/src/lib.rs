@@ -74,6 +74,7 @@
 #![deny(clippy::float_arithmetic)]
 
 pub mod bus;
+pub mod checksum;
 pub mod display;
 pub mod graphigs;
 pub mod painter;

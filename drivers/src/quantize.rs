@@ -109,39 +109,41 @@ impl Uniform {
     ///
     /// # Errors
     /// [`TableError::Colors`] unless `colors` is 8..=256; [`TableError::Guns`] if `gun_max` is 0.
-    pub fn new(colors: u16, gun_max: u8) -> Result<Self, TableError> {
-        if !(8..=MAX_COLORS).contains(&colors) {
+    #[allow(clippy::indexing_slicing, reason = "every index is below the length; a constant function cannot iterate")]
+    pub const fn new(colors: u16, gun_max: u8) -> Result<Self, TableError> {
+        if colors < 8 || colors > MAX_COLORS {
             return Err(TableError::Colors { colors, min: 8 });
         }
         if gun_max == 0 {
             return Err(TableError::Guns);
         }
-        // Raise one side after another, round after round, while the cube fits: at most 7 x 6 x 6.
-        let mut sides = Rgb::new(2_u8, 2, 2);
+        // Raise one side after another, round after round, while the cube fits: green, red, blue, at most 7 x 6 x 6.
+        let mut sides = [2_u8; 3];
+        let mut raised = 0;
         let most = gun_max.saturating_add(1);
-        let size = |s: Rgb<u8>| u16::from(s.r) * u16::from(s.g) * u16::from(s.b);
-        'grow: loop {
-            for raise in [
-                |s: Rgb<u8>| Rgb { g: s.g + 1, ..s },
-                |s: Rgb<u8>| Rgb { r: s.r + 1, ..s },
-                |s: Rgb<u8>| Rgb { b: s.b + 1, ..s },
-            ] {
-                let larger = raise(sides);
-                if size(larger) > colors || larger.r.max(larger.g).max(larger.b) > most {
-                    break 'grow;
-                }
-                sides = larger;
+        let order = [1, 0, 2];
+        loop {
+            let mut larger = sides;
+            larger[order[raised % 3]] += 1;
+            let size = larger[0] as u16 * larger[1] as u16 * larger[2] as u16;
+            if size > colors || larger[order[raised % 3]] > most {
+                break;
             }
+            sides = larger;
+            raised += 1;
         }
+        let sides = Rgb::new(sides[0], sides[1], sides[2]);
+        let (greens, blues) = (sides.g as usize, sides.b as usize);
         let mut entries = [BACKGROUND; MAX_COLORS as usize];
-        let cube = (0..sides.r)
-            .flat_map(|r| (0..sides.g).flat_map(move |g| (0..sides.b).map(move |b| Rgb::new(r, g, b))));
-        for (entry, step) in entries.iter_mut().zip(cube) {
-            *entry = Rgb::new(
-                level(step.r, sides.r, gun_max),
-                level(step.g, sides.g, gun_max),
-                level(step.b, sides.b, gun_max),
+        let mut index = 0;
+        while index < sides.r as usize * greens * blues {
+            let step = [index / (greens * blues), index / blues % greens, index % blues];
+            entries[index] = Rgb::new(
+                level(step[0], sides.r, gun_max),
+                level(step[1], sides.g, gun_max),
+                level(step[2], sides.b, gun_max),
             );
+            index += 1;
         }
         Ok(Self { entries, sides })
     }
@@ -153,10 +155,10 @@ impl Uniform {
 }
 
 /// Level `step` of `side` evenly spaced ones (`side` > 1), rounded to the nearest.
-fn level(step: u8, side: u8, gun_max: u8) -> u8 {
-    let (step, last, max) = (u32::from(step), u32::from(side) - 1, u32::from(gun_max));
-    // step <= last, so the quotient is at most gun_max.
-    ((2 * step * max + last) / (2 * last)).to_le_bytes()[0]
+#[allow(clippy::cast_possible_truncation, reason = "a step is below 7, so the quotient is at most gun_max")]
+const fn level(step: usize, side: u8, gun_max: u8) -> u8 {
+    let (step, last, max) = (step as u32, side as u32 - 1, gun_max as u32);
+    ((2 * step * max + last) / (2 * last)) as u8
 }
 
 /// The step whose level is nearest to `wanted`; the lower of two equally near.
@@ -171,8 +173,9 @@ fn step(levels: impl Iterator<Item = u8>, wanted: u8) -> u16 {
     best.0
 }
 
-impl ColorTable for Uniform {
-    fn index(&mut self, levels: Rgb<u8>) -> u8 {
+impl Uniform {
+    /// The index of the entry nearest to `levels`.
+    pub fn nearest(&self, levels: Rgb<u8>) -> u8 {
         // The guns are independent, so the nearest entry is the nearest level of each.
         let (green, blue) = (u16::from(self.sides.g), u16::from(self.sides.b));
         let every =
@@ -184,8 +187,27 @@ impl ColorTable for Uniform {
         ((r * green + g) * blue + b).to_le_bytes()[0]
     }
 
-    fn entries(&self) -> &[Rgb<u8>] {
+    fn cube(&self) -> &[Rgb<u8>] {
         let len = usize::from(self.sides.r) * usize::from(self.sides.g) * usize::from(self.sides.b);
         self.entries.get(..len).unwrap_or(&self.entries)
+    }
+}
+
+impl ColorTable for Uniform {
+    fn index(&mut self, levels: Rgb<u8>) -> u8 {
+        self.nearest(levels)
+    }
+    fn entries(&self) -> &[Rgb<u8>] {
+        self.cube()
+    }
+}
+
+/// The cube never changes, so one in flash will do.
+impl ColorTable for &Uniform {
+    fn index(&mut self, levels: Rgb<u8>) -> u8 {
+        self.nearest(levels)
+    }
+    fn entries(&self) -> &[Rgb<u8>] {
+        self.cube()
     }
 }

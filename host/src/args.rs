@@ -65,6 +65,17 @@ pub enum Command {
     /// largest the format holds, how many bits are left, and which object sets the bound. A scene that is refused
     /// is an error that names the row, and the formats that take it.
     Check(CheckArgs),
+    /// Turn a scene into Rust source: static data for a firmware's flash
+    ///
+    /// The scene in one number format, with what it needs of the tracer, after the proof that it fits. The target reads
+    /// no file, builds no table and, in fixed point, computes no float. A build script does the same with
+    /// rta_scenes::bake.
+    Bake(BakeArgs),
+    /// Print a hash of a scene's picture on a device
+    ///
+    /// 64 bits over the pixels and the colours that the device is sent. In fixed point every machine arrives at the same
+    /// number: a port that prints it too draws the right bytes.
+    Hash(HashArgs),
     /// Tell why a pixel is what it is in a number format, beside f64
     ///
     /// Its colour in both, its ray tree in both, the first decision that came out otherwise with both operands, and the
@@ -107,6 +118,38 @@ pub struct CheckArgs {
     /// Shape of the screen
     #[arg(long, value_name = "RATIO", default_value = "4:3")]
     pub aspect: Aspect,
+}
+
+/// `rta bake`.
+#[derive(Args, Debug)]
+pub struct BakeArgs {
+    /// Scene file (.dat), or - for standard input
+    pub scene: PathBuf,
+    /// Number format
+    #[arg(long, value_enum, default_value_t = Format::Q16)]
+    pub format: Format,
+    /// Illumination model that the scene is drawn with: it decides what the scene needs
+    #[arg(long, value_enum, default_value_t = Model::Rta)]
+    pub model: Model,
+    /// Shape of the screen that the whole picture fills
+    #[arg(long, value_name = "RATIO", default_value = "4:3")]
+    pub aspect: Aspect,
+    /// Rust file; - is standard output
+    #[arg(short, long, value_name = "FILE")]
+    pub output: PathBuf,
+}
+
+/// `rta hash`.
+#[derive(Args, Debug)]
+pub struct HashArgs {
+    /// Scene file (.dat), or - for standard input
+    pub scene: PathBuf,
+    /// The display
+    #[arg(long, value_enum, default_value_t = Device::Vga)]
+    pub device: Device,
+    /// How the picture is traced.
+    #[command(flatten)]
+    pub tracing: TracingArgs,
 }
 
 /// `rta explain`.

@@ -17,6 +17,7 @@
 #![forbid(unsafe_code)]
 
 pub mod args;
+pub mod bake;
 pub mod bands;
 pub mod check;
 pub mod device;
@@ -24,6 +25,7 @@ pub mod engine;
 pub mod error;
 pub mod explain;
 pub mod frame;
+pub mod hash;
 pub mod interrupt;
 pub mod output;
 pub mod paired;

@@ -7,7 +7,7 @@ use std::process::ExitCode;
 use clap::Parser;
 use rta::args::{Cli, Command, ShowArgs};
 use rta::error::Error;
-use rta::{check, explain, interrupt, render, report, stability, window};
+use rta::{bake, check, explain, hash, interrupt, render, report, stability, window};
 
 /// Status after any error.
 const FAILED: u8 = 2;
@@ -33,6 +33,8 @@ fn main() -> ExitCode {
         Some(Command::Instructions(args)) => report::instructions::run(&args),
         Some(Command::Stability(args)) => stability::run(&args),
         Some(Command::Check(args)) => check::run(&args),
+        Some(Command::Bake(args)) => bake::run(&args),
+        Some(Command::Hash(args)) => hash::run(&args),
         Some(Command::Explain(args)) => explain::run(&args),
     };
     match outcome {

@@ -37,32 +37,15 @@ impl Output {
     pub fn open(path: &Path, file_type: Option<FileType>) -> Result<Self, Error> {
         let extension = path.extension().and_then(|extension| extension.to_str());
         let known = file_type.or_else(|| FileType::of_extension(extension?));
-        let failed = |source| Error::write(path, source);
-        let ready = |file_type, place| Ok(Self { path: path.to_owned(), file_type, place });
-        if path == Path::new("-") || path == Path::new("/dev/stdout") {
-            let file_type = known.unwrap_or(FileType::Png);
-            if io::stdout().is_terminal() {
-                return Err(Error::Terminal(file_type));
+        let place = Place::find(path)?;
+        let file_type = match place {
+            Place::Stdout if io::stdout().is_terminal() => {
+                return Err(Error::Terminal(known.unwrap_or(FileType::Png)));
             }
-            return ready(file_type, Place::Stdout);
-        }
-        let there = fs::metadata(path).ok();
-        if there.as_ref().is_some_and(|there| !there.is_file() && !there.is_dir()) {
-            let file = OpenOptions::new().write(true).open(path).map_err(failed)?;
-            return ready(known.unwrap_or(FileType::Png), Place::Special(file));
-        }
-        if there.as_ref().is_some_and(fs::Metadata::is_dir) {
-            return Err(failed(io::ErrorKind::IsADirectory.into()));
-        }
-        let file_type = known.ok_or_else(|| Error::UnknownExtension(path.to_owned()))?;
-        let path = follow(path).map_err(failed)?;
-        // Opened for appending, a file is not changed; the file beside it shows that its folder takes one.
-        if there.is_some() {
-            OpenOptions::new().append(true).open(&path).map_err(failed)?;
-        }
-        let permissions = there.map(|there| there.permissions());
-        beside(&path, permissions.as_ref()).map_err(failed)?;
-        ready(file_type, Place::File { path, permissions })
+            Place::Stdout | Place::Special(_) => known.unwrap_or(FileType::Png),
+            Place::File { .. } => known.ok_or_else(|| Error::UnknownExtension(path.to_owned()))?,
+        };
+        Ok(Self { path: path.to_owned(), file_type, place })
     }
 
     /// The kind of picture to write.
@@ -76,20 +59,57 @@ impl Output {
     /// # Errors
     /// [`Error::Write`], and [`Error::BrokenPipe`] if the reader of a pipe has gone.
     pub fn write(self, content: &[u8]) -> Result<(), Error> {
-        let written = match self.place {
-            Place::Stdout => {
+        self.place.write(content).map_err(|source| Error::write(&self.path, source))
+    }
+}
+
+impl Place {
+    /// Looks what is at `path`, without changing it.
+    fn find(path: &Path) -> Result<Self, Error> {
+        let failed = |source| Error::write(path, source);
+        if path == Path::new("-") || path == Path::new("/dev/stdout") {
+            return Ok(Self::Stdout);
+        }
+        let there = fs::metadata(path).ok();
+        if there.as_ref().is_some_and(|there| !there.is_file() && !there.is_dir()) {
+            return OpenOptions::new().write(true).open(path).map(Self::Special).map_err(failed);
+        }
+        if there.as_ref().is_some_and(fs::Metadata::is_dir) {
+            return Err(failed(io::ErrorKind::IsADirectory.into()));
+        }
+        let path = follow(path).map_err(failed)?;
+        // Opened for appending, a file is not changed; the file beside it shows that its folder takes one.
+        if there.is_some() {
+            OpenOptions::new().append(true).open(&path).map_err(failed)?;
+        }
+        let permissions = there.map(|there| there.permissions());
+        beside(&path, permissions.as_ref()).map_err(failed)?;
+        Ok(Self::File { path, permissions })
+    }
+
+    fn write(self, content: &[u8]) -> io::Result<()> {
+        match self {
+            Self::Stdout => {
                 let mut out = io::stdout().lock();
                 out.write_all(content).and_then(|()| out.flush())
             }
-            Place::Special(mut file) => file.write_all(content),
-            Place::File { path, permissions } => beside(&path, permissions.as_ref()).and_then(|mut file| {
+            Self::Special(mut file) => file.write_all(content),
+            Self::File { path, permissions } => {
+                let mut file = beside(&path, permissions.as_ref())?;
                 file.write_all(content)?;
                 file.persist(&path)?;
                 Ok(())
-            }),
-        };
-        written.map_err(|source| Error::write(&self.path, source))
+            }
+        }
     }
+}
+
+/// Writes a text to `path` (`-` is standard output), or leaves what was there as it was.
+///
+/// # Errors
+/// [`Error::Write`], and [`Error::BrokenPipe`] if the reader of a pipe has gone.
+pub fn write_text(path: &Path, content: &str) -> Result<(), Error> {
+    Place::find(path)?.write(content.as_bytes()).map_err(|source| Error::write(path, source))
 }
 
 /// Writes `content` as a new file in the current folder: `stem.png`, or with a number if that is taken. Returns

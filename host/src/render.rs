@@ -4,10 +4,12 @@ use core::sync::atomic::AtomicBool;
 
 use rayon::ThreadPool;
 use rta_core::color::Rgb;
+use rta_drivers::checksum::{Checksum, Unseen};
+use rta_drivers::painter::Painter;
 
 use crate::args::RenderArgs;
 use crate::bands;
-use crate::device::Target;
+use crate::device::{Device, Target};
 use crate::engine::Engine;
 use crate::error::Error;
 use crate::interrupt;
@@ -17,7 +19,7 @@ use crate::progress::Progress;
 use crate::raster::Size;
 use crate::request::Request;
 use crate::scene::Scene;
-use crate::screen::Screen;
+use crate::screen::{Screen, Table};
 
 /// Does what `rta render` is asked to. Whatever can be wrong is found before the first ray, and the output is
 /// only touched once the picture is complete.
@@ -87,6 +89,23 @@ impl<'a> Work<'a> {
                 Ok(Displayed { size: self.size, aspect: self.aspect, pixels })
             }
         }
+    }
+
+    /// Traces the picture onto a device that nobody sees and returns the hash of what the device was sent.
+    ///
+    /// # Errors
+    /// [`Error::Interrupted`], [`Error::Memory`] and [`Error::Display`].
+    pub fn checksum(&self, device: Device) -> Result<u64, Error> {
+        let capabilities = device.capabilities();
+        let table = Table(self.request.table.table(capabilities).map_err(Error::display)?);
+        let mut painter =
+            Painter::new(Checksum::new(Unseen(capabilities)), table).map_err(Error::display)?;
+        let trace = |first, levels: &mut [_]| self.engine.level_rows(first, capabilities.gun_max, levels);
+        self.trace(trace, |first, levels| {
+            let rows = (first..).zip(levels.chunks(self.size.columns()));
+            rows.into_iter().try_for_each(|(y, row)| painter.put_row(0, y, row.iter().copied())).map_err(Error::display)
+        })?;
+        Ok(painter.display().value())
     }
 
     /// Traces the picture as linear light before any display.

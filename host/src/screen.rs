@@ -32,20 +32,15 @@ pub enum TableKind {
 }
 
 impl TableKind {
-    /// How near is near enough for [`TableKind::Tolerant`], on each gun, in levels of 8 bits. Pictures of the shipped
-    /// scenes lose least by 4 to 12; on guns of 16 levels it is less than one, which makes no difference.
-    const TOLERANCE: u32 = 6;
-
     /// The table of this kind for a device, which has black only or all its entries.
-    fn table(self, device: Capabilities) -> Result<Box<dyn ColorTable + Send>, TableError> {
+    ///
+    /// # Errors
+    /// The device has too few colours or levels for it.
+    pub fn table(self, device: Capabilities) -> Result<Box<dyn ColorTable + Send>, TableError> {
         let Capabilities { colors, gun_max, .. } = device;
-        let adaptive = Adaptive::new(colors);
         Ok(match self {
-            Self::Adaptive => Box::new(adaptive?),
-            Self::Tolerant => {
-                let (levels, of) = (Self::TOLERANCE * u32::from(gun_max), u32::from(u8::MAX));
-                Box::new(adaptive?.with_tolerance(3 * levels * levels / (of * of)))
-            }
+            Self::Adaptive => Box::new(Adaptive::new(colors)?),
+            Self::Tolerant => Box::new(Adaptive::tolerant(colors, gun_max)?),
             Self::Uniform => Box::new(Uniform::new(colors, gun_max)?),
         })
     }
@@ -72,7 +67,7 @@ impl fmt::Display for TableKind {
 }
 
 /// Either of the colour tables.
-struct Table(Box<dyn ColorTable + Send>);
+pub(crate) struct Table(pub(crate) Box<dyn ColorTable + Send>);
 
 impl ColorTable for Table {
     fn index(&mut self, levels: Rgb<u8>) -> u8 {

@@ -17,9 +17,12 @@
 //! # Ok::<(), rta_scenes::error::SceneError>(())
 //! ```
 
+pub mod bake;
 pub mod dat;
 pub mod description;
 pub mod error;
 pub mod narrow;
 pub mod shipped;
 mod tokens;
+
+pub use bake::bake;

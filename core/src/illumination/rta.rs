@@ -52,7 +52,8 @@ impl<S: Scalar> Illumination<S> for Rta {
                 return tint.map(|part| light.times(part));
             }
         }
-        let light = incident.irradiance().times(incident.cosine);
+        let light = if N::ATTENUATION { incident.irradiance() } else { incident.intensity() };
+        let light = light.times(incident.cosine);
         surface.color.zip(tint, |color, part| light.times(color.times(part)))
     }
 

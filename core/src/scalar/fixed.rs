@@ -81,10 +81,27 @@ impl Unit for I2F30 {
         Magnitude::new(u64::from(self.to_bits().unsigned_abs()), -30)
     }
     #[allow(clippy::cast_possible_truncation)] // saturated
+    #[inline(always)] // of constants it is one, and no division of 128 bits is in the program
     fn ratio(numerator: i64, denominator: i64) -> Self {
-        let scaled = (i128::from(numerator) << (UNIT_BITS + 1)) / i128::from(denominator.max(1));
-        let bits = (scaled + 1) >> 1;
-        Self::from_bits(bits.clamp(-i128::from(i32::MAX), i128::from(i32::MAX)) as i32)
+        let scaled = (i128::from(numerator.unsigned_abs()) << (UNIT_BITS + 1)) / i128::from(denominator.max(1));
+        let bits = ((scaled + 1) >> 1).min(i128::from(i32::MAX)) as i32;
+        Self::from_bits(if numerator < 0 { -bits } else { bits })
+    }
+    fn fraction(numerator: i32, denominator: u32) -> Self {
+        let divisor = denominator.clamp(1, 1 << 31);
+        let mut rest = numerator.unsigned_abs();
+        // Long division, a bit at a time: the whole part, which is 0 or 1, the bits behind the point, and one more.
+        let mut bits = 0u32;
+        for _ in 0..UNIT_BITS + 2 {
+            bits <<= 1;
+            if rest >= divisor {
+                rest -= divisor;
+                bits |= 1;
+            }
+            rest <<= 1;
+        }
+        let bits = (bits / 2 + bits % 2).min(i32::MAX.cast_unsigned()).cast_signed();
+        Self::from_bits(if numerator < 0 { -bits } else { bits })
     }
     fn times(self, factor: Self) -> Self {
         Self::from_bits(round(wide(self.to_bits(), factor.to_bits())))
@@ -136,6 +153,18 @@ impl Light for Radiance {
 pub struct Power {
     mantissa: u32,
     exponent: i16,
+}
+
+impl Power {
+    /// From what [`Power::parts`] told, for scenes that are made ahead.
+    pub const fn from_parts(mantissa: u32, exponent: i16) -> Self {
+        Self { mantissa, exponent }
+    }
+
+    /// The mantissa and the exponent `e` of `mantissa * 2^e`.
+    pub const fn parts(self) -> (u32, i16) {
+        (self.mantissa, self.exponent)
+    }
 }
 
 /// `value * 2^exponent` as radiance.
@@ -269,7 +298,7 @@ macro_rules! fixed_point {
                 Scalar::over(self, thickness)
             }
             fn odd_tile(self) -> bool {
-                self.to_bits().div_euclid(3 << $bits) & 1 == 1
+                integer::odd_third(i64::from(self.to_bits() >> $bits))
             }
             fn odd_far_tile(self, slope: I2F30, height: Self, fall: I2F30) -> bool {
                 let way = Reciprocal::of(fall.to_bits().unsigned_abs()).times(height.to_bits());
@@ -277,7 +306,7 @@ macro_rules! fixed_point {
                 // 32 bits of the way are as many as the fall has.
                 let cut = (64 - way.leading_zeros()).saturating_sub(32);
                 let offset = shift_right((way >> cut) * slope, UNIT_BITS - cut);
-                (i64::from(self.to_bits()) + offset).div_euclid(3 << $bits) & 1 == 1
+                integer::odd_third((i64::from(self.to_bits()) + offset) >> $bits)
             }
             fn power(mantissa: u32, exponent: i16) -> Power {
                 if mantissa == 0 {

@@ -16,7 +16,11 @@ macro_rules! float {
             fn size(self) -> Magnitude {
                 $size(self)
             }
+            #[inline(always)] // of constants it is one
             fn ratio(numerator: i64, denominator: i64) -> Self {
+                numerator as $f / denominator as $f
+            }
+            fn fraction(numerator: i32, denominator: u32) -> Self {
                 numerator as $f / denominator as $f
             }
             fn times(self, factor: Self) -> Self {
@@ -108,6 +112,9 @@ macro_rules! float {
             fn odd_far_tile(self, slope: Self, height: Self, fall: Self) -> bool {
                 (self + slope * (height / fall)).odd_tile()
             }
+            const LANES: bool =
+                cfg!(any(target_feature = "sse2", target_feature = "neon", target_feature = "simd128"));
+
             /// The search's own arithmetic, in its order, four lanes side by side.
             #[inline]
             fn may_meet(spheres: [($vec, $f); 4], o: $vec, d: $vec) -> [bool; 4] {

@@ -75,6 +75,11 @@ pub fn sqrt(value: u64) -> u32 {
 }
 
 impl Reciprocal {
+    /// From what [`Reciprocal::parts`] told, for scenes that are made ahead.
+    pub const fn from_parts(mantissa: u32, exponent: u8) -> Self {
+        Self { mantissa, exponent }
+    }
+
     /// `1 / value`; of 0 as of 1.
     #[allow(clippy::cast_possible_truncation)] // sizes are at the line
     pub fn of(value: u32) -> Self {
@@ -112,7 +117,7 @@ impl Reciprocal {
     }
 
     /// The mantissa, in [2^30, 2^31], and the exponent `e` of `mantissa / 2^(30 + e)`.
-    pub fn parts(self) -> (u32, u8) {
+    pub const fn parts(self) -> (u32, u8) {
         (self.mantissa, self.exponent)
     }
 }
@@ -120,6 +125,18 @@ impl Reciprocal {
 /// `value / 2^shift`, rounded to the nearest, halves up; `shift < 64`.
 pub fn shift_right(value: i64, shift: u32) -> i64 {
     (value + ((1 << shift) >> 1)) >> shift
+}
+
+/// Whether `floor(value / 3)` is odd, without a division.
+#[allow(clippy::cast_possible_truncation)] // the digits
+pub fn odd_third(value: i64) -> bool {
+    // 2^16, 2^8 and 2^64 are 1 modulo 3, so the sum of the digits leaves what the number does; a negative one has 2^64
+    // too much in its bits.
+    let digits = [0, 16, 32, 48].map(|place| u32::from((value >> place) as u16));
+    let sum = digits.iter().sum::<u32>() + if value < 0 { 2 } else { 0 };
+    let sum = (sum & 0xff) + (sum >> 8); // below 2^11
+    let rest = sum - 3 * ((sum * 0xaaab) >> 17);
+    (rest & 1 == 1) != (value & 1 == 1)
 }
 
 #[cfg(test)]
@@ -137,6 +154,13 @@ mod tests {
             state >> (i % 64)
         });
         ends.chain(random)
+    }
+
+    #[test]
+    fn odd_thirds() {
+        for value in words().map(u64::cast_signed).chain(-1000..1000) {
+            assert_eq!(odd_third(value), value.div_euclid(3) & 1 == 1, "{value}");
+        }
     }
 
     #[test]

@@ -109,6 +109,10 @@ impl<U: UnitFormat> Unit for Paired<U> {
         Unit::size(self.format)
     }
     #[track_caller]
+    fn fraction(numerator: i32, denominator: u32) -> Self {
+        Self::ratio(i64::from(numerator), i64::from(denominator))
+    }
+    #[track_caller]
     fn ratio(numerator: i64, denominator: i64) -> Self {
         Self { format: U::ratio(numerator, denominator), twin: <f64 as Unit>::ratio(numerator, denominator) }
             .noted("ratio", [])

@@ -1,0 +1,117 @@
+//! A number that tells whether a port draws the right bytes.
+//!
+//! [`Checksum`] stands before any display and adds up what goes through it. `rta hash` prints the number that the same
+//! scene, number format, device and colour table give on a desktop: in fixed point a port must arrive at it exactly.
+//!
+//! ```
+//! use rta_core::color::Rgb;
+//! use rta_drivers::checksum::{Checksum, Unseen};
+//! use rta_drivers::painter::Painter;
+//! use rta_drivers::quantize::Adaptive;
+//! use rta_drivers::vga13h;
+//!
+//! let screen = Checksum::new(Unseen(vga13h::CAPABILITIES));
+//! let mut painter = Painter::new(screen, Adaptive::new(256)?)?;
+//! painter.put_row(0, 0, [Rgb::new(63, 0, 0); 320])?;
+//! assert_eq!(painter.display().value(), 0x5d66_6f3a_9bcd_cb81);
+//! # Ok::<(), Box<dyn core::error::Error>>(())
+//! ```
+
+use core::convert::Infallible;
+
+use rta_core::color::Rgb;
+
+use crate::display::{Capabilities, Display, DriverError};
+
+/// FNV-1a of 64 bits (Fowler, Noll, Vo; RFC 9923).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Fnv(u64);
+
+impl Fnv {
+    const EMPTY: Self = Self(0xcbf2_9ce4_8422_2325);
+    const PRIME: u64 = 0x0000_0100_0000_01b3;
+
+    fn add(&mut self, byte: u8) {
+        self.0 = (self.0 ^ u64::from(byte)).wrapping_mul(Self::PRIME);
+    }
+}
+
+/// A display, and the hash of what was sent to it.
+///
+/// Hashed are the indices in the order in which they are put (a picture that is drawn from its upper left to its lower
+/// right), then the colours in the order in which they are loaded, each as red, green, blue. Where the pixels are on
+/// the screen, and how many of them are put at once, plays no part.
+#[derive(Clone, Debug)]
+pub struct Checksum<D> {
+    display: D,
+    pixels: Fnv,
+    colors: Fnv,
+}
+
+impl<D: Display> Checksum<D> {
+    /// A display to which nothing was sent so far.
+    pub const fn new(display: D) -> Self {
+        Self { display, pixels: Fnv::EMPTY, colors: Fnv::EMPTY }
+    }
+
+    /// The hash of what was sent so far.
+    pub fn value(&self) -> u64 {
+        let mut sum = self.pixels;
+        for byte in self.colors.0.to_le_bytes() {
+            sum.add(byte);
+        }
+        sum.0
+    }
+
+    /// The display.
+    pub fn into_inner(self) -> D {
+        self.display
+    }
+}
+
+impl<D: Display> Display for Checksum<D> {
+    type Error = D::Error;
+
+    fn capabilities(&self) -> Capabilities {
+        self.display.capabilities()
+    }
+
+    fn set_colors(&mut self, first: u8, colors: &[Rgb<u8>]) -> Result<(), Self::Error> {
+        self.display.set_colors(first, colors)?;
+        for color in colors {
+            [color.r, color.g, color.b].into_iter().for_each(|level| self.colors.add(level));
+        }
+        Ok(())
+    }
+
+    fn put_pixels(&mut self, x: u32, y: u32, indices: &[u8]) -> Result<(), Self::Error> {
+        self.display.put_pixels(x, y, indices)?;
+        indices.iter().for_each(|&index| self.pixels.add(index));
+        Ok(())
+    }
+
+    fn update(&mut self) -> Result<(), Self::Error> {
+        self.display.update()
+    }
+}
+
+/// A display that nobody sees, with whatever capabilities are wanted.
+#[derive(Clone, Copy, Debug)]
+pub struct Unseen(pub Capabilities);
+
+impl Display for Unseen {
+    type Error = DriverError<Infallible>;
+
+    fn capabilities(&self) -> Capabilities {
+        self.0
+    }
+
+    fn set_colors(&mut self, first: u8, colors: &[Rgb<u8>]) -> Result<(), Self::Error> {
+        self.0.check_colors(first, colors)
+    }
+
+    fn put_pixels(&mut self, x: u32, y: u32, indices: &[u8]) -> Result<(), Self::Error> {
+        self.0.check_pixels(x, y, indices.len())?;
+        self.0.check_indices(indices)
+    }
+}

@@ -1,0 +1,42 @@
+//! `rta bake`: a scene file into Rust source, for a firmware's flash.
+
+use rta_scenes::bake::{self, BakeError, Recipe};
+
+use crate::args::BakeArgs;
+use crate::check::{self, Refusal};
+use crate::engine::{Format, Model};
+use crate::error::Error;
+use crate::output;
+use crate::scene::Scene;
+
+/// Writes the source of a scene, or says why the number format does not take it.
+///
+/// # Errors
+/// What keeps the scene from being read or the source from being written, and [`Error::Refused`].
+pub fn run(args: &BakeArgs) -> Result<(), Error> {
+    let scene = Scene::open(&args.scene)?;
+    let aspect = args.aspect.ratio();
+    let format = match args.format {
+        Format::F32 => bake::Format::F32,
+        Format::F64 => bake::Format::F64,
+        Format::Q16 => bake::Format::Q16,
+        Format::Q20 => bake::Format::Q20,
+    };
+    let model = match args.model {
+        Model::Rta => bake::Model::Rta,
+        Model::Whitted => bake::Model::Whitted,
+    };
+    let refused = |reason: Refusal| Error::Refused {
+        name: scene.source.clone(),
+        format: args.format,
+        reason: Box::new(reason),
+        others: check::alternatives(&scene.description, args.format, aspect),
+    };
+    let source = match bake::module(&scene.description, &scene.title, &Recipe { format, aspect, model }) {
+        Ok(source) => source,
+        Err(BakeError::Narrow(error)) => return Err(refused(error.into())),
+        Err(BakeError::Range(error)) => return Err(refused(error.into())),
+        Err(error) => return Err(Error::Report(Box::new(error))),
+    };
+    output::write_text(&args.output, &source)
+}

@@ -1,0 +1,26 @@
+//! `rta hash`: a number that tells whether a port draws the right bytes.
+
+use std::path::Path;
+
+use crate::args::HashArgs;
+use crate::device::Target;
+use crate::error::Error;
+use crate::interrupt;
+use crate::output;
+use crate::render::Work;
+use crate::scene::Scene;
+
+/// Prints the hash of a scene's picture on a device, and of what picture it is.
+///
+/// # Errors
+/// What keeps the picture from being drawn.
+pub fn run(args: &HashArgs) -> Result<(), Error> {
+    let target = Target::On(args.device);
+    let request = args.tracing.request(target);
+    let (size, _) = request.raster()?;
+    let scene = Scene::open(&args.scene)?;
+    let hash = Work::new(&request, &scene, args.tracing.threads, interrupt::watch())?.checksum(args.device)?;
+    let caption = request.caption(&scene);
+    let line = format!("{hash:016x}  {}, {size}, {}\n", caption.title, caption.settings);
+    output::write_text(Path::new("-"), &line)
+}

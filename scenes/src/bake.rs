@@ -1,0 +1,198 @@
+//! A scene file into Rust source: the scene as `static` data in one number format, for a firmware's flash.
+//!
+//! What the target is spared happens here: reading, narrowing, the range proof, the analysis of what the scene needs. A
+//! baked scene is an admitted scene.
+//!
+//! In the firmware's `build.rs`:
+//!
+//! ```no_run
+//! rta_scenes::bake("scene.dat", rta_scenes::bake::Format::Q16)?;
+//! # Ok::<(), rta_scenes::bake::BakeError>(())
+//! ```
+//!
+//! and in the firmware `include!(concat!(env!("OUT_DIR"), "/scene.rs"));`, which brings
+//!
+//! | item | what it is |
+//! | --- | --- |
+//! | `Number` | the number format, a [`Scalar`](rta_core::Scalar) |
+//! | `Needs` | what the scene needs, a [`rta_core::needs::Needs`] |
+//! | `SCENE` | the scene, an [`rta_core::range::Admitted`] |
+//! | `CAMERA` | the eye, an [`rta_core::camera::Camera`] |
+//!
+//! so that `Tracer::<_, _, Needs, 5>::new(SCENE, Rta, 5)` draws it.
+
+use core::fmt;
+use std::path::{Path, PathBuf};
+use std::{env, fs, io};
+
+use rta_core::needs::Used;
+use rta_core::range::RangeError;
+use rta_core::{Q16, Q20};
+
+use crate::dat;
+use crate::description::Description;
+use crate::error::SceneError;
+use crate::narrow::{NarrowError, narrow};
+
+mod literal;
+mod module;
+#[cfg(test)]
+mod tests;
+
+use literal::Literal;
+
+/// The number format of a baked scene.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Format {
+    /// 32-bit float.
+    F32,
+    /// 64-bit float; the target's `rta-core` needs the feature `f64`.
+    F64,
+    /// Fixed point, lengths in Q16.16.
+    Q16,
+    /// Fixed point, lengths in Q12.20.
+    Q20,
+}
+
+/// The illumination model that a baked scene is meant for: it decides what the scene needs.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Model {
+    /// [`rta_core::illumination::Rta`].
+    #[default]
+    Rta,
+    /// [`rta_core::illumination::Whitted`], where shiny things reflect, and mirrors and glass have highlights.
+    Whitted,
+}
+
+/// How a scene is baked.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Recipe {
+    /// The number format.
+    pub format: Format,
+    /// Width over height of the screen that the whole picture fills, above 0.
+    pub aspect: f64,
+    /// The illumination model.
+    pub model: Model,
+}
+
+impl Recipe {
+    /// A recipe for a screen of 4 : 3 and the model `Rta`.
+    pub const fn new(format: Format) -> Self {
+        Self { format, aspect: 4.0 / 3.0, model: Model::Rta }
+    }
+}
+
+/// Why a scene cannot be baked.
+#[derive(Debug)]
+#[non_exhaustive]
+pub enum BakeError {
+    /// A file cannot be read or written.
+    File {
+        /// The file.
+        path: PathBuf,
+        /// Why.
+        source: io::Error,
+    },
+    /// `OUT_DIR` is not set: [`bake`] was not called from a build script.
+    NoBuildScript,
+    /// The scene file is wrong.
+    Scene(SceneError),
+    /// A number of the scene does not fit the number format.
+    Narrow(NarrowError),
+    /// A ray of the scene may leave the number format.
+    Range(RangeError),
+}
+
+impl fmt::Display for BakeError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::File { path, source } => write!(f, "{}: {source}", path.display()),
+            Self::NoBuildScript => f.write_str("OUT_DIR is not set: a scene is baked by a build script"),
+            Self::Scene(error) => error.fmt(f),
+            Self::Narrow(error) => error.fmt(f),
+            Self::Range(error) => error.fmt(f),
+        }
+    }
+}
+
+impl core::error::Error for BakeError {
+    fn source(&self) -> Option<&(dyn core::error::Error + 'static)> {
+        match self {
+            Self::File { source, .. } => Some(source),
+            _ => None,
+        }
+    }
+}
+
+impl From<SceneError> for BakeError {
+    fn from(error: SceneError) -> Self {
+        Self::Scene(error)
+    }
+}
+
+impl From<NarrowError> for BakeError {
+    fn from(error: NarrowError) -> Self {
+        Self::Narrow(error)
+    }
+}
+
+impl From<RangeError> for BakeError {
+    fn from(error: RangeError) -> Self {
+        Self::Range(error)
+    }
+}
+
+/// Bakes the scene file `path` into `OUT_DIR`, under its own name with the extension `rs`, for a screen of 4 : 3, and
+/// tells Cargo to do so again when the scene changes. Returns where the source is.
+///
+/// # Errors
+/// Whatever keeps the scene from being baked.
+pub fn bake(path: impl AsRef<Path>, format: Format) -> Result<PathBuf, BakeError> {
+    bake_with(path, &Recipe::new(format))
+}
+
+/// The same by a recipe.
+///
+/// # Errors
+/// Whatever keeps the scene from being baked.
+pub fn bake_with(path: impl AsRef<Path>, recipe: &Recipe) -> Result<PathBuf, BakeError> {
+    let path = path.as_ref();
+    let failed = |path: &Path| {
+        let path = path.to_owned();
+        move |source| BakeError::File { path, source }
+    };
+    #[allow(clippy::disallowed_macros)] // Cargo reads it
+    {
+        println!("cargo::rerun-if-changed={}", path.display());
+    }
+    let folder = env::var_os("OUT_DIR").ok_or(BakeError::NoBuildScript)?;
+    let text = fs::read(path).map_err(failed(path))?;
+    let name = path.display().to_string();
+    let source = module(&dat::read(&*text, &name)?, &name, recipe)?;
+    let out = Path::new(&folder).join(path.file_stem().unwrap_or("scene".as_ref())).with_extension("rs");
+    fs::write(&out, source).map_err(failed(&out))?;
+    Ok(out)
+}
+
+/// The Rust source of a scene that is called `name`.
+///
+/// # Errors
+/// [`BakeError::Narrow`] and [`BakeError::Range`]: the scene does not fit the number format.
+pub fn module(scene: &Description, name: &str, recipe: &Recipe) -> Result<String, BakeError> {
+    match recipe.format {
+        Format::F32 => in_format::<f32>(scene, name, recipe),
+        Format::F64 => in_format::<f64>(scene, name, recipe),
+        Format::Q16 => in_format::<Q16>(scene, name, recipe),
+        Format::Q20 => in_format::<Q20>(scene, name, recipe),
+    }
+}
+
+fn in_format<S: Literal>(scene: &Description, name: &str, recipe: &Recipe) -> Result<String, BakeError> {
+    let narrowed = narrow::<S>(scene, recipe.aspect)?;
+    let limits = narrowed.scene().admit(&narrowed.camera)?.limits();
+    let used = Used::by(&narrowed.scene(), recipe.model == Model::Whitted);
+    let mut source = String::new();
+    // A String takes all that is written to it.
+    let _ = module::write(&mut source, name, &narrowed, limits, used, recipe);
+    Ok(source)
+}

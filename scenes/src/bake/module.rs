@@ -1,0 +1,198 @@
+//! The source of a baked scene, item by item.
+
+use core::fmt::{self, Write};
+
+use rta_core::color::Rgb;
+use rta_core::material::Material;
+use rta_core::needs::Used;
+use rta_core::range::Limits;
+use rta_core::vector::{UnitVec3, Vec3, Vector};
+
+use super::literal::Literal;
+use super::{Model, Recipe};
+use crate::narrow::{Narrow, Narrowed};
+
+/// An item may not need all its names, and nobody reads its numbers.
+const ALLOW: &str = "#[allow(dead_code, unused_imports, clippy::unreadable_literal)]";
+
+/// Writes the whole module.
+pub(super) fn write<S: Literal>(
+    out: &mut impl Write,
+    name: &str,
+    scene: &Narrowed<S>,
+    limits: Limits<S>,
+    used: Used,
+    recipe: &Recipe,
+) -> fmt::Result {
+    let (format, aspect) = (<S as Narrow>::NAME, recipe.aspect);
+    let model = if recipe.model == Model::Whitted { "whitted" } else { "rta" };
+    let name = name.replace(['\n', '\r'], " ");
+    writeln!(out, "// {name} in {format} for a screen of the shape {aspect:.4} : 1 and the model {model}.")?;
+    writeln!(
+        out,
+        "// Made by `rta bake`, which has proved its range: change the scene and bake it again.\n"
+    )?;
+    writeln!(out, "/// The number format: {format}.\npub type Number = {};\n", S::PATH)?;
+    write_needs(out, used)?;
+    writeln!(out, "\n/// The scene.\n{ALLOW}")?;
+    writeln!(out, "pub static SCENE: ::rta_core::range::Admitted<'static, Number> = {{")?;
+    write_names(out, S::CONSTRUCTORS)?;
+    writeln!(out, "    ::rta_core::range::Admitted::baked(\n        ::rta_core::scene::Scene {{")?;
+    write_objects(out, scene)?;
+    match &scene.floor {
+        None => writeln!(out, "            floor: None,")?,
+        Some(floor) => {
+            let [even, odd] = floor.colors;
+            let (even, odd) = (color::<S>(even), color::<S>(odd));
+            writeln!(
+                out,
+                "            floor: Some(::rta_core::shape::Floor {{ colors: [{even}, {odd}] }}),"
+            )?;
+        }
+    }
+    let (horizon, zenith) = (light::<S>(scene.sky.horizon), light::<S>(scene.sky.zenith));
+    writeln!(
+        out,
+        "            sky: ::rta_core::scene::Sky {{ horizon: {horizon}, zenith: {zenith} }},\n            \
+         ambient: {},\n        }},",
+        light::<S>(scene.ambient)
+    )?;
+    writeln!(
+        out,
+        "        ::rta_core::range::Limits {{ reach: {}, lid: {} }},\n    )\n}};",
+        length(limits.reach),
+        length(limits.lid)
+    )?;
+    let camera = &scene.camera;
+    writeln!(out, "\n/// The eye.\n{ALLOW}\npub static CAMERA: ::rta_core::camera::Camera<Number> = {{")?;
+    write_names(out, S::CONSTRUCTORS)?;
+    writeln!(
+        out,
+        "    ::rta_core::camera::Camera {{\n        eye: {},\n        forward: {},\n        right: {},\n        up: {},\n    }}\n}};",
+        place::<S>(camera.eye),
+        direction::<S>(camera.forward),
+        direction::<S>(camera.right),
+        direction::<S>(camera.up)
+    )
+}
+
+fn write_needs(out: &mut impl Write, used: Used) -> fmt::Result {
+    writeln!(out, "/// What the scene needs.\n#[derive(Clone, Copy, Debug)]\npub struct Needs;\n")?;
+    writeln!(out, "impl ::rta_core::needs::Needs for Needs {{")?;
+    for (name, value) in used.named() {
+        writeln!(out, "    const {name}: bool = {value};")?;
+    }
+    writeln!(out, "}}")
+}
+
+/// Short names for what the expressions are made of, within one item.
+fn write_names(out: &mut impl Write, constructors: &str) -> fmt::Result {
+    out.write_str(
+        "    use ::rta_core::Scalar;
+    use ::rta_core::color::Rgb;
+    use ::rta_core::material::{Glass, Material};
+    type Unit = <Number as Scalar>::Unit;
+    type Light = <Number as Scalar>::Light;
+    type Place = <Number as Scalar>::Vector;
+    type Direction = <Number as Scalar>::UnitVector;
+",
+    )?;
+    out.write_str(constructors)
+}
+
+fn write_objects<S: Literal>(out: &mut impl Write, scene: &Narrowed<S>) -> fmt::Result {
+    let inverse = |inverse: S::Inverse| S::inverse_literal(inverse);
+    writeln!(out, "            cylinders: &[")?;
+    for c in &scene.cylinders {
+        writeln!(
+            out,
+            "                ::rta_core::shape::Cylinder {{ center: {}, radius: {}, inverse_radius: {}, color: {}, material: {} }},",
+            place::<S>(c.center),
+            length(c.radius),
+            inverse(c.inverse_radius),
+            color::<S>(c.color),
+            material(&c.material)
+        )?;
+    }
+    writeln!(out, "            ],\n            ellipsoids: &[")?;
+    for e in &scene.ellipsoids {
+        writeln!(
+            out,
+            "                ::rta_core::shape::Ellipsoid {{ center: {}, radii: {}, extent: {}, inverse_extent: {}, squash: {}, \
+             thickness: {}, color: {}, material: {} }},",
+            place::<S>(e.center),
+            place::<S>(e.radii),
+            length(e.extent),
+            inverse(e.inverse_extent),
+            direction::<S>(e.squash),
+            unit::<S>(e.thickness),
+            color::<S>(e.color),
+            material(&e.material)
+        )?;
+    }
+    writeln!(out, "            ],\n            spheres: &[")?;
+    for s in &scene.spheres {
+        writeln!(
+            out,
+            "                ::rta_core::shape::Sphere {{ center: {}, radius: {}, inverse_radius: {}, color: {}, material: {} }},",
+            place::<S>(s.center),
+            length(s.radius),
+            inverse(s.inverse_radius),
+            color::<S>(s.color),
+            material(&s.material)
+        )?;
+    }
+    writeln!(out, "            ],\n            lamps: &[")?;
+    for l in &scene.lamps {
+        writeln!(
+            out,
+            "                ::rta_core::light::Lamp {{ position: {}, radius: {}, inverse_radius: {}, power: {}, tint: {} }},",
+            place::<S>(l.position),
+            length(l.radius),
+            inverse(l.inverse_radius),
+            S::power_literal(l.power),
+            color::<S>(l.tint)
+        )?;
+    }
+    writeln!(out, "            ],")
+}
+
+fn length<S: Literal>(length: S) -> String {
+    format!("length({})", length.length_bits())
+}
+
+fn unit<S: Literal>(unit: S::Unit) -> String {
+    format!("unit({})", S::unit_bits(unit))
+}
+
+fn place<S: Literal>(v: Vec3<S>) -> String {
+    format!("Place::new({}, {}, {})", length(v.x()), length(v.y()), length(v.z()))
+}
+
+fn direction<S: Literal>(v: UnitVec3<S>) -> String {
+    format!("Direction::new({}, {}, {})", unit::<S>(v.x()), unit::<S>(v.y()), unit::<S>(v.z()))
+}
+
+fn color<S: Literal>(c: Rgb<S::Unit>) -> String {
+    format!("Rgb::new({}, {}, {})", unit::<S>(c.r), unit::<S>(c.g), unit::<S>(c.b))
+}
+
+fn light<S: Literal>(c: Rgb<S::Light>) -> String {
+    let bits = |light| format!("light({})", S::light_bits(light));
+    format!("Rgb::new({}, {}, {})", bits(c.r), bits(c.g), bits(c.b))
+}
+
+fn material<S: Literal>(material: &Material<S>) -> String {
+    match material {
+        Material::Opaque => "Material::Opaque".into(),
+        Material::Shiny => "Material::Shiny".into(),
+        Material::Mirror => "Material::Mirror".into(),
+        Material::Transparent(glass) => format!(
+            "Material::Transparent(Glass {{ ks: {}, kt: {}, eta: {}, denser: {} }})",
+            unit::<S>(glass.ks),
+            unit::<S>(glass.kt),
+            unit::<S>(glass.eta),
+            glass.denser
+        ),
+    }
+}

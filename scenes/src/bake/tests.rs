@@ -1,0 +1,80 @@
+//! What the source of a baked scene says. That it compiles and draws the right picture is seen in `tests/baked.rs` of
+//! `rta-tests`.
+#![allow(clippy::indexing_slicing)] // a test may panic
+
+use super::{BakeError, Format, Model, Recipe, module};
+use crate::description::Description;
+use crate::{dat, shipped};
+
+fn read(text: &str) -> Description {
+    dat::read(text.as_bytes(), "scene.dat").expect("a scene")
+}
+
+fn source(scene: &Description, recipe: &Recipe) -> String {
+    module(scene, "scene", recipe).expect("it fits")
+}
+
+/// The names of the needs that are `value`, in the order in which they stand.
+fn needs(source: &str, value: bool) -> Vec<&str> {
+    let end = format!(": bool = {value};");
+    source.lines().filter_map(|line| line.trim().strip_prefix("const ")?.strip_suffix(end.as_str())).collect()
+}
+
+#[test]
+fn a_scene_needs_what_is_in_it_and_no_more() {
+    for (text, without) in [
+        (shipped::JUGGLER, &["ELLIPSOIDS", "CYLINDERS", "GLASS", "SEVERAL_LAMPS", "TRANSPARENT_SHADOWS"][..]),
+        (shipped::HALL_22, &["GLASS", "TRANSPARENT_SHADOWS"]),
+        (shipped::GLASS_2, &["ELLIPSOIDS", "CYLINDERS"]),
+    ] {
+        for format in [Format::F32, Format::F64, Format::Q16, Format::Q20] {
+            let source = source(&read(text), &Recipe::new(format));
+            assert_eq!(needs(&source, false), without);
+            assert_eq!(needs(&source, true).len() + without.len(), 14);
+        }
+    }
+}
+
+#[test]
+fn the_model_decides_what_is_needed() {
+    let recipe = Recipe { model: Model::Whitted, ..Recipe::new(Format::Q16) };
+    let mut scene = read(shipped::GLASS_2);
+    assert_eq!(needs(&source(&scene, &recipe), false), ["ELLIPSOIDS", "CYLINDERS", "ATTENUATION"]);
+    // A shiny sphere alone: it reflects in Whitted's model only.
+    scene.spheres.remove(0);
+    assert!(needs(&source(&scene, &recipe), true).contains(&"MIRROR"));
+    assert!(!needs(&source(&scene, &Recipe::new(Format::Q16)), true).contains(&"MIRROR"));
+}
+
+#[test]
+fn a_scene_out_of_range_is_an_error() {
+    let mut scene = read(shipped::GLASS_2);
+    let bake = |scene: &Description, format| module(scene, "scene", &Recipe::new(format));
+    // A coordinate beyond the format.
+    scene.spheres[1].position[0] = 3000.0;
+    assert!(matches!(bake(&scene, Format::Q20), Err(BakeError::Narrow(_))));
+    assert!(bake(&scene, Format::F32).is_ok());
+    // Each coordinate fits, the distance between two of them does not.
+    scene.spheres[1].position[0] = 30_000.0;
+    scene.spheres[0].position[0] = -30_000.0;
+    let error = bake(&scene, Format::Q16).expect_err("too far apart");
+    assert!(matches!(error, BakeError::Range(_)), "{error:?}");
+    assert!(bake(&scene, Format::F64).is_ok());
+}
+
+#[test]
+fn the_same_scene_is_always_the_same_source() {
+    let scene = read(shipped::HALL_22);
+    for format in [Format::F32, Format::Q16] {
+        let source = source(&scene, &Recipe::new(format));
+        assert_eq!(source, module(&scene, "scene", &Recipe::new(format)).expect("it fits"));
+    }
+}
+
+#[test]
+fn a_name_stays_in_its_comment() {
+    let source =
+        module(&read(shipped::GLASS_2), "a\nstatic\r*/ \"", &Recipe::new(Format::Q16)).expect("it fits");
+    assert!(source.starts_with("// a static */ \" in q16 "));
+    assert!(source.lines().nth(1).is_some_and(|line| line.starts_with("// ")));
+}

@@ -1,0 +1,48 @@
+//! Bakes the scene that is drawn. It is chosen by environment variables, so that one package serves every picture:
+//!
+//! | variable | what it is | unless it is set |
+//! | --- | --- | --- |
+//! | `RTA_SCENE` | the scene file | the Juggler |
+//! | `RTA_FORMAT` | `q16`, `q20` or `f32` | `q16` |
+//! | `RTA_NEEDS` | `baked`: only what the scene needs; `everything` | `baked` |
+//! | `RTA_SIZE` | width and height in pixels | `160x100` |
+
+use std::env;
+use std::error::Error;
+use std::fs;
+use std::path::PathBuf;
+
+use rta_scenes::bake::{Format, bake};
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let variable = |name: &str, default: &str| {
+        println!("cargo::rerun-if-env-changed={name}");
+        env::var(name).unwrap_or_else(|_| default.to_owned())
+    };
+    let juggler = concat!(env!("CARGO_MANIFEST_DIR"), "/../../../scenes/juggler.dat");
+    let format = match variable("RTA_FORMAT", "q16").as_str() {
+        "q16" => Format::Q16,
+        "q20" => Format::Q20,
+        "f32" => Format::F32,
+        other => return Err(format!("RTA_FORMAT is q16, q20 or f32, not {other}").into()),
+    };
+    let scene = bake(variable("RTA_SCENE", juggler), format)?;
+    let (needs, baked) = match variable("RTA_NEEDS", "baked").as_str() {
+        "baked" => ("scene::Needs", true),
+        "everything" => ("rta_core::needs::Everything", false),
+        other => return Err(format!("RTA_NEEDS is baked or everything, not {other}").into()),
+    };
+    let size = variable("RTA_SIZE", "160x100");
+    let (width, height) = size.split_once('x').ok_or("RTA_SIZE is a width, an x, and a height")?;
+    let (width, height): (u32, u32) = (width.parse()?, height.parse()?);
+    let choice = format!(
+        "mod scene {{\n    include!({scene:?});\n}}\n\
+         type Needs = {needs};\n\
+         /// Whether the program is for this scene alone. Otherwise the compiler must not know what it will draw.\n\
+         const BAKED: bool = {baked};\n\
+         /// Pixels in a row.\npub const WIDTH: u32 = {width};\n\
+         /// Rows.\npub const HEIGHT: u32 = {height};\n"
+    );
+    fs::write(PathBuf::from(env::var("OUT_DIR")?).join("choice.rs"), choice)?;
+    Ok(())
+}

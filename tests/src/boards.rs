@@ -1,0 +1,23 @@
+//! The boards under emulation: what there is, how it is built and booted, and what must come of it.
+//!
+//! The images are the packages of `tests/boards`. They are built with one scene, number format and set of needs each,
+//! run in an emulator, and what they drew is compared byte for byte with what the engine draws here.
+
+pub mod board;
+pub mod elf;
+pub mod expected;
+pub mod footprint;
+pub mod machine;
+pub mod qmp;
+pub mod toolchain;
+
+use std::path::PathBuf;
+
+/// The folder of the boards' packages.
+#[must_use]
+pub fn folder() -> PathBuf {
+    PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("boards")
+}
+
+/// What goes wrong, in words.
+pub type Failure = Box<dyn core::error::Error + Send + Sync>;

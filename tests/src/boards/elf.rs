@@ -1,0 +1,61 @@
+//! What is in an image: sizes of its sections, and its bytes by address.
+
+use object::{Object, ObjectSection, ObjectSegment, SectionFlags, SectionKind};
+
+use super::Failure;
+
+/// Bytes of an image by kind.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Sizes {
+    /// Code.
+    pub text: u64,
+    /// Constants.
+    pub rodata: u64,
+    /// Static RAM: initialised and zeroed variables.
+    pub ram: u64,
+}
+
+/// Adds up the sections of an ELF file; symbols and notes for debuggers do not count.
+///
+/// # Errors
+/// It is no ELF file.
+pub fn sizes(file: &[u8]) -> Result<Sizes, Failure> {
+    let mut sizes = Sizes::default();
+    for section in object::File::parse(file)?.sections() {
+        let SectionFlags::Elf { sh_flags } = section.flags() else { continue };
+        if sh_flags & u64::from(object::elf::SHF_ALLOC) == 0 || section.name()?.starts_with(".stack") {
+            continue;
+        }
+        let total = match section.kind() {
+            SectionKind::Text => &mut sizes.text,
+            SectionKind::Data | SectionKind::UninitializedData => &mut sizes.ram,
+            _ => &mut sizes.rodata,
+        };
+        *total += section.size();
+    }
+    Ok(sizes)
+}
+
+/// The contents of the loadable segments as one block of memory, from the address `base` on.
+///
+/// # Errors
+/// It is no ELF file, or it lies below `base` or takes more than 4 MiB.
+pub fn flat(file: &[u8], base: u64) -> Result<Vec<u8>, Failure> {
+    let elf = object::read::elf::ElfFile32::<object::Endianness>::parse(file)?;
+    let endian = elf.endian();
+    let mut memory = Vec::new();
+    for segment in elf.segments() {
+        let bytes = segment.data()?;
+        if bytes.is_empty() {
+            continue;
+        }
+        let address = u64::from(segment.elf_program_header().p_paddr.get(endian));
+        let start = address.checked_sub(base).and_then(|start| usize::try_from(start).ok());
+        let start = start.filter(|start| start + bytes.len() <= 4 << 20).ok_or("a segment is out of reach")?;
+        if memory.len() < start + bytes.len() {
+            memory.resize(start + bytes.len(), 0);
+        }
+        memory.iter_mut().skip(start).zip(bytes).for_each(|(to, from)| *to = *from);
+    }
+    Ok(memory)
+}

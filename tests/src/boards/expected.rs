@@ -1,0 +1,109 @@
+//! What a board must draw: the engine's own picture, through the same colour table.
+
+use rta::device::Device;
+use rta::engine::{Engine, Format, Settings};
+use rta_core::color::Rgb;
+use rta_drivers::checksum::{Checksum, Unseen};
+use rta_drivers::display::{Capabilities, Display, DriverError};
+use rta_drivers::painter::Painter;
+use rta_drivers::quantize::{Adaptive, ColorTable, Uniform};
+use rta_scenes::dat;
+
+use super::Failure;
+use super::board::{Output, Picture};
+
+/// A picture as indices, and the colours they stand for.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Indexed {
+    /// Levels of the display's guns.
+    pub colors: Vec<Rgb<u8>>,
+    /// An index for each pixel, row by row.
+    pub pixels: Vec<u8>,
+}
+
+impl Indexed {
+    /// The hash that `rta hash` prints of such a picture.
+    ///
+    /// # Errors
+    /// The picture is none of that size.
+    pub fn hash(&self, (width, height): (u32, u32)) -> Result<u64, Failure> {
+        let capabilities = Capabilities { width, height, colors: 256, gun_max: u8::MAX, aspect: (4, 3) };
+        let mut sum = Checksum::new(Unseen(capabilities));
+        sum.set_colors(0, &self.colors)?;
+        for (y, row) in (0..height).zip(self.pixels.chunks(width as usize)) {
+            sum.put_pixels(0, y, row)?;
+        }
+        Ok(sum.value())
+    }
+}
+
+/// The engine's levels of a picture, on guns with that highest level.
+fn levels(picture: &Picture, (width, height): (u32, u32), gun_max: u8) -> Result<Vec<Rgb<u8>>, Failure> {
+    let text = std::fs::read(&picture.file)?;
+    let scene = dat::read(&*text, &picture.file.display().to_string())?;
+    let format: Format = picture.format;
+    let engine = Engine::new(&scene, &Settings { width, height, format, ..Settings::default() })?;
+    let mut levels = vec![Rgb::new(0, 0, 0); width as usize * height as usize];
+    engine.level_rows(0, gun_max, &mut levels);
+    Ok(levels)
+}
+
+/// Keeps what it is shown.
+struct Paper {
+    capabilities: Capabilities,
+    shown: Indexed,
+}
+
+impl Display for Paper {
+    type Error = DriverError<core::convert::Infallible>;
+
+    fn capabilities(&self) -> Capabilities {
+        self.capabilities
+    }
+
+    fn set_colors(&mut self, first: u8, colors: &[Rgb<u8>]) -> Result<(), Self::Error> {
+        self.shown.colors.truncate(first.into());
+        self.shown.colors.extend_from_slice(colors);
+        Ok(())
+    }
+
+    fn put_pixels(&mut self, _x: u32, _y: u32, indices: &[u8]) -> Result<(), Self::Error> {
+        self.shown.pixels.extend_from_slice(indices);
+        Ok(())
+    }
+}
+
+fn paint(
+    levels: &[Rgb<u8>],
+    (width, height): (u32, u32),
+    gun_max: u8,
+    table: impl ColorTable,
+) -> Result<Indexed, Failure> {
+    let capabilities = Capabilities { width, height, colors: 256, gun_max, aspect: (4, 3) };
+    let shown = Indexed { colors: Vec::new(), pixels: Vec::new() };
+    let mut painter = Painter::new(Paper { capabilities, shown }, table)?;
+    for (y, row) in (0..).zip(levels.chunks(width as usize)) {
+        painter.put_row(0, y, row.iter().copied())?;
+    }
+    Ok(painter.into_parts().0.shown)
+}
+
+/// The picture that a board streams: a VGA's 64 levels in the even cube of colours.
+///
+/// # Errors
+/// The scene does not fit the number format.
+pub fn streamed(picture: &Picture, size: (u32, u32)) -> Result<Indexed, Failure> {
+    let gun_max = Device::Vga.capabilities().gun_max;
+    paint(&levels(picture, size, gun_max)?, size, gun_max, Uniform::new(256, gun_max)?)
+}
+
+/// The picture that a board shows: on a screen in a table made as it is drawn, else as it is streamed.
+///
+/// # Errors
+/// The scene does not fit the number format.
+pub fn shown(picture: &Picture, output: Output) -> Result<Indexed, Failure> {
+    let Output::Screen { screen: (_, _, gun_max), .. } = output else {
+        return streamed(picture, picture.size);
+    };
+    paint(&levels(picture, picture.size, gun_max)?, picture.size, gun_max, Adaptive::tolerant(256, gun_max)?)
+}

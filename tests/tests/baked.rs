@@ -1,0 +1,129 @@
+//! Baked scenes: what `build.rs` has made of the scene files is what the reader and the engine make of them.
+
+use rta::engine::{Engine, Format, Model, Settings};
+use rta_core::camera::Camera;
+use rta_core::color::Rgb;
+use rta_core::illumination::{Illumination, Rta, Whitted};
+use rta_core::needs::{self, Needs, Used};
+use rta_core::range::Admitted;
+use rta_core::raster::{Pixels, Raster};
+use rta_core::trace::Tracer;
+use rta_scenes::description::Description;
+use rta_scenes::narrow::{Narrow, narrow};
+use rta_scenes::{bake, dat};
+
+/// Recursion depth, and the capacity for it: no more than a firmware would reserve.
+const DEPTH: usize = 5;
+
+/// The modules of the baked scenes and what is true of each: its scene file, number format, and illumination model.
+macro_rules! baked {
+    ($($name:ident: $file:literal, $format:ident, $kind:ident, $model:expr;)*) => {$(
+        mod $name {
+            use super::*;
+
+            #[allow(unreachable_pub)] // it is what is included that is under test
+            mod scene {
+                include!(concat!(env!("OUT_DIR"), "/", stringify!($name), ".rs"));
+            }
+
+            #[test]
+            fn is_the_scene() {
+                is_scene::<_, scene::Needs>(&scene::SCENE, &scene::CAMERA, &read($file), Model::$kind);
+            }
+
+            #[test]
+            fn is_drawn_as_the_engine_draws_it() {
+                let settings = Settings { format: Format::$format, model: Model::$kind, ..SMALL };
+                let got = draw::<_, _, scene::Needs>(scene::SCENE, &scene::CAMERA, $model);
+                assert!(got == by_engine(&read($file), &settings));
+            }
+        }
+    )*};
+}
+
+baked! {
+    juggler: "../scenes/juggler.dat", Q16, Rta, Rta;
+    juggler_q16: "../scenes/juggler.dat", Q16, Rta, Rta;
+    juggler_q20: "../scenes/juggler.dat", Q20, Rta, Rta;
+    juggler_f32: "../scenes/juggler.dat", F32, Rta, Rta;
+    hall_22_q16: "../scenes/hall-22.dat", Q16, Rta, Rta;
+    hall_22_q20: "../scenes/hall-22.dat", Q20, Rta, Rta;
+    hall_22_f32: "../scenes/hall-22.dat", F32, Rta, Rta;
+    glass_2_q16: "../scenes/glass-2.dat", Q16, Rta, Rta;
+    glass_2_q20: "../scenes/glass-2.dat", Q20, Rta, Rta;
+    glass_2_f32: "../scenes/glass-2.dat", F32, Rta, Rta;
+    glass_2_f64: "../scenes/glass-2.dat", F64, Rta, Rta;
+    opaque_q16: "boards/scenes/opaque.dat", Q16, Rta, Rta;
+    whitted_q16: "../scenes/hall-22.dat", Q16, Whitted, Whitted::default();
+}
+
+/// A raster that is soon drawn, on the screen of 4 : 3 that the scenes are baked for.
+const SMALL: Settings = Settings {
+    width: 64,
+    height: 40,
+    aspect: 4.0 / 3.0,
+    format: Format::Q16,
+    model: Model::Rta,
+    depth: DEPTH as u32,
+    cutoff: rta::sampling::Cutoff::OFF,
+    sampling: rta_core::sampling::Sampling::CENTER,
+};
+
+/// A scene file, from the folder of this package.
+fn read(file: &str) -> Description {
+    let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join(file);
+    dat::read(&*std::fs::read(path).expect("a scene file"), file).expect("a scene")
+}
+
+/// Sees that a baked scene is the one that is read and narrowed here, and that its needs are no more and no less.
+fn is_scene<S: Narrow, N: Needs>(
+    scene: &Admitted<'_, S>,
+    camera: &Camera<S>,
+    description: &Description,
+    model: Model,
+) {
+    let narrowed = narrow::<S>(description, SMALL.aspect).expect("it was baked");
+    let admitted = narrowed.scene().admit(&narrowed.camera).expect("it was baked");
+    // The numbers print exactly.
+    assert_eq!(format!("{scene:?}"), format!("{admitted:?}"));
+    assert_eq!(format!("{camera:?}"), format!("{:?}", narrowed.camera));
+    assert_eq!(Used::of::<N>(), Used::by(scene, model == Model::Whitted));
+    assert_eq!(needs::missing::<N, S>(scene), None);
+}
+
+/// A picture as the bits of its light, and as levels of a VGA.
+type Picture = (Vec<[u32; 3]>, Vec<Rgb<u8>>);
+
+fn bits(light: Rgb<f32>) -> [u32; 3] {
+    [light.r, light.g, light.b].map(f32::to_bits)
+}
+
+fn draw<S: Narrow, M: Illumination<S>, N: Needs>(
+    scene: Admitted<'_, S>,
+    camera: &Camera<S>,
+    model: M,
+) -> Picture {
+    let raster = Raster::new(SMALL.width, SMALL.height).expect("a raster");
+    let tracer: Tracer<_, _, N, DEPTH> = Tracer::new(scene, model, SMALL.depth).expect("the stack is deep enough");
+    let light: Vec<_> = Pixels::rows(&tracer, camera, raster, 0, SMALL.height).collect();
+    // Fixed point below 256 is exact in f32.
+    let linear = light.iter().map(|light| bits(light.map(S::widen))).collect();
+    (linear, light.iter().map(|light| light.levels(63)).collect())
+}
+
+fn by_engine(scene: &Description, settings: &Settings) -> Picture {
+    let engine = Engine::new(scene, settings).expect("it was baked");
+    let pixels = settings.width as usize * settings.height as usize;
+    let (mut linear, mut levels) = (vec![Rgb::new(0.0, 0.0, 0.0); pixels], vec![Rgb::new(0, 0, 0); pixels]);
+    engine.linear_rows(0, &mut linear);
+    engine.level_rows(0, 63, &mut levels);
+    (linear.into_iter().map(bits).collect(), levels)
+}
+
+#[test]
+fn a_build_script_and_the_program_bake_the_same() {
+    let recipe = bake::Recipe::new(bake::Format::Q16);
+    let source = bake::module(&read("../scenes/juggler.dat"), "../scenes/juggler.dat", &recipe);
+    let baked = include_str!(concat!(env!("OUT_DIR"), "/juggler.rs"));
+    assert!(source.expect("it was baked") == baked);
+}
