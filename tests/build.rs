@@ -1,8 +1,8 @@
-//! Bakes the scenes of `tests/baked.rs`. A firmware's build script is the first line of `main` and no more: this one
-//! needs the same scene in several formats, so it gives the files names of its own.
+//! Bakes the scenes of `tests/baked.rs`. A firmware's build script is one call of `bake`, as the first here: this one
+//! needs the same scene in several formats, so it gives the other files names of its own.
 
+use core::error::Error;
 use std::env;
-use std::error::Error;
 use std::fs;
 use std::path::Path;
 
@@ -10,8 +10,11 @@ use rta_scenes::bake::{Format, Model, Recipe, bake, module};
 use rta_scenes::dat;
 
 /// Scene files, and the name of each in Rust.
-const SCENES: [(&str, &str); 3] =
-    [("juggler", "../scenes/juggler.dat"), ("hall_22", "../scenes/hall-22.dat"), ("glass_2", "../scenes/glass-2.dat")];
+const SCENES: [(&str, &str); 3] = [
+    ("juggler", "../scenes/juggler.dat"),
+    ("hall_22", "../scenes/hall-22.dat"),
+    ("glass_2", "../scenes/glass-2.dat"),
+];
 
 fn main() -> Result<(), Box<dyn Error>> {
     // Writes juggler.rs.
@@ -24,7 +27,11 @@ fn main() -> Result<(), Box<dyn Error>> {
     }
     // A program that traces no ray but the eye's; one with the other model; one in the reference's format.
     write("opaque_q16", "boards/scenes/opaque.dat", &Recipe::new(Format::Q16))?;
-    write("whitted_q16", "../scenes/hall-22.dat", &Recipe { model: Model::Whitted, ..Recipe::new(Format::Q16) })?;
+    write(
+        "whitted_q16",
+        "../scenes/hall-22.dat",
+        &Recipe { model: Model::Whitted, ..Recipe::new(Format::Q16) },
+    )?;
     write("glass_2_f64", "../scenes/glass-2.dat", &Recipe::new(Format::F64))
 }
 
@@ -32,7 +39,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 fn write(name: &str, file: &str, recipe: &Recipe) -> Result<(), Box<dyn Error>> {
     println!("cargo::rerun-if-changed={file}");
     let text = fs::read(file)?;
-    let source = module(&dat::read(&*text, file)?, name, recipe)?;
+    let source = module(&dat::read(&text, file)?, name, recipe)?;
     fs::write(Path::new(&env::var("OUT_DIR")?).join(name).with_extension("rs"), source)?;
     Ok(())
 }

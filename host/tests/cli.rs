@@ -6,6 +6,9 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 
+#[path = "cli/firmware.rs"]
+mod firmware;
+
 /// A small scene with one of everything, each number of which some test spoils.
 const SCENE: &str = "\
 0 -10 2   0 1 0   1
@@ -84,6 +87,13 @@ impl Folder {
         let Output { status, stdout, stderr } = self.rta(&args);
         assert!(status.success() && stderr.is_empty(), "{args:?}: {}", String::from_utf8_lossy(&stderr));
         stdout
+    }
+
+    /// Runs rta without a complaint and returns the text that it prints.
+    fn prints(&self, args: &[&str]) -> String {
+        let Output { status, stdout, stderr } = self.rta(args);
+        assert!(status.success() && stderr.is_empty(), "{args:?}: {}", String::from_utf8_lossy(&stderr));
+        String::from_utf8(stdout).unwrap()
     }
 }
 
