@@ -42,6 +42,7 @@
 pub mod camera;
 pub mod color;
 mod error;
+pub mod hierarchy;
 pub mod illumination;
 pub mod light;
 pub mod material;

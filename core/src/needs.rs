@@ -23,6 +23,8 @@ use crate::scene::Scene;
 pub trait Needs: Send + Sync + 'static {
     /// Spheres.
     const SPHERES: bool = true;
+    /// A [hierarchy](crate::hierarchy) over the spheres.
+    const HIERARCHY: bool = true;
     /// Ellipsoids.
     const ELLIPSOIDS: bool = true;
     /// Vertical cylinders.
@@ -64,6 +66,7 @@ impl Needs for Everything {}
 #[allow(clippy::struct_excessive_bools, missing_docs)] // each is the constant of the same name
 pub struct Used {
     pub spheres: bool,
+    pub hierarchy: bool,
     pub ellipsoids: bool,
     pub cylinders: bool,
     pub floor: bool,
@@ -96,6 +99,7 @@ impl Used {
         let lamps = lit && !scene.lamps.is_empty();
         Self {
             spheres: !scene.spheres.is_empty(),
+            hierarchy: !scene.hierarchy.is_empty(),
             ellipsoids: !scene.ellipsoids.is_empty(),
             cylinders: !scene.cylinders.is_empty(),
             floor,
@@ -116,6 +120,7 @@ impl Used {
     pub const fn of<N: Needs>() -> Self {
         Self {
             spheres: N::SPHERES,
+            hierarchy: N::HIERARCHY,
             ellipsoids: N::ELLIPSOIDS,
             cylinders: N::CYLINDERS,
             floor: N::FLOOR,
@@ -133,9 +138,10 @@ impl Used {
     }
 
     /// Each constant's name and value.
-    pub const fn named(self) -> [(&'static str, bool); 14] {
+    pub const fn named(self) -> [(&'static str, bool); 15] {
         [
             ("SPHERES", self.spheres),
+            ("HIERARCHY", self.hierarchy),
             ("ELLIPSOIDS", self.ellipsoids),
             ("CYLINDERS", self.cylinders),
             ("FLOOR", self.floor),
@@ -154,9 +160,10 @@ impl Used {
 }
 
 /// The name of the first constant that is false in `N` although the scene uses what it stands for, with the illumination
-/// model `Rta`. Shadows may be left out on purpose.
+/// model `Rta`. Shadows may be left out on purpose, and a hierarchy only saves time.
 pub fn missing<N: Needs, S: Scalar>(scene: &Scene<S>) -> Option<&'static str> {
-    let waived = |name| !N::SHADOWS && matches!(name, "SHADOWS" | "TRANSPARENT_SHADOWS");
+    let waived =
+        |name| name == "HIERARCHY" || (!N::SHADOWS && matches!(name, "SHADOWS" | "TRANSPARENT_SHADOWS"));
     let (used, there) = (Used::by(scene, false).named(), Used::of::<N>().named());
     used.into_iter()
         .zip(there)

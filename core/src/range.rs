@@ -17,6 +17,7 @@ use core::fmt;
 use core::ops::Deref;
 
 use crate::camera::Camera;
+use crate::hierarchy;
 use crate::material::Material;
 use crate::scalar::{Light, Scalar, Unit};
 use crate::scene::{Object, Scene};
@@ -144,6 +145,8 @@ pub enum RangeError {
     Radius(Object),
     /// A reflectance is below 0.
     Color(Object),
+    /// A node of the hierarchy over the spheres does not contain its run of them, or leads nowhere.
+    Hierarchy(usize),
 }
 
 /// Writes an object the way a scene file counts: from 1.
@@ -174,6 +177,9 @@ impl fmt::Display for RangeError {
             }
             Self::Radius(object) => {
                 write!(f, "{} has a radius that is not above 0 in the number format", Named(Some(*object)))
+            }
+            Self::Hierarchy(node) => {
+                write!(f, "node {node} of the hierarchy does not contain its spheres, or leads nowhere")
             }
             Self::Color(object) => {
                 write!(f, "{} has a colour with a negative register", Named(Some(*object)))
@@ -257,6 +263,9 @@ impl<'a, S: Scalar> Scene<'a, S> {
             if !(least > S::ZERO || (is_lamp && extent == S::ZERO)) {
                 return Err(RangeError::Radius(object));
             }
+        }
+        if let Some(node) = hierarchy::first_wrong(self.hierarchy, self.spheres, hierarchy::largest_radius()) {
+            return Err(RangeError::Hierarchy(node));
         }
         for (object, color, _) in self.surfaces() {
             if [color.r, color.g, color.b].iter().any(|&c| c < S::Unit::ZERO) {

@@ -90,6 +90,10 @@ pub trait Scalar:
     /// `self / slope` for `self >= 0` and `slope > 0`; saturates at [`Scalar::FAR`].
     fn over(self, slope: Self::Unit) -> Self;
 
+    /// The radius of a sphere about other spheres whose centre is `distance` away along a ray, made larger by what its foot
+    /// point and theirs can be wrong together: where the search finds one of them, the ray meets this one.
+    fn swollen(self, distance: Self) -> Self;
+
     /// The extent that [`LengthVector::clearance`] is to be told of an ellipsoid of the extent `self` whose smallest radius
     /// is the part `thickness` of it. A format with a fixed point loses the digits that squashing the ellipsoid takes.
     #[inline]

@@ -1,6 +1,7 @@
 //! A scene is borrowed data: one list for each kind of thing, in RAM or in flash.
 
 use crate::color::Rgb;
+use crate::hierarchy::{Node, Walk};
 use crate::illumination::Surface;
 use crate::light::Lamp;
 use crate::material::Material;
@@ -21,6 +22,8 @@ pub struct Scene<'a, S: Scalar> {
     pub ellipsoids: &'a [Ellipsoid<S>],
     /// Spheres.
     pub spheres: &'a [Sphere<S>],
+    /// A hierarchy over the spheres, or nothing.
+    pub hierarchy: &'a [Node<S>],
     /// Lamps.
     pub lamps: &'a [Lamp<S>],
     /// The floor, if there is one.
@@ -86,6 +89,7 @@ impl<S: Scalar> Scene<'_, S> {
             cylinders: &[],
             ellipsoids: &[],
             spheres: &[],
+            hierarchy: &[],
             lamps: &[],
             floor: Some(Floor {
                 colors: [Rgb::new(unit(85), unit(85), unit(80)), Rgb::new(unit(15), unit(17), unit(25))],
@@ -121,10 +125,17 @@ impl<S: Scalar> Scene<'_, S> {
             }
         }
         if N::SPHERES {
-            sphere::sweep(self.spheres, ray, |i, sphere| {
-                found(sphere.intersect(ray, t_max), Object::Sphere(i), &mut t_max);
-                true
-            });
+            if N::HIERARCHY && !self.hierarchy.is_empty() {
+                let mut walk = Walk::new(self.hierarchy, self.spheres);
+                while let Some((i, sphere)) = walk.next(ray, t_max) {
+                    found(sphere.intersect(ray, t_max), Object::Sphere(i), &mut t_max);
+                }
+            } else {
+                sphere::sweep(self.spheres, ray, |i, sphere| {
+                    found(sphere.intersect(ray, t_max), Object::Sphere(i), &mut t_max);
+                    true
+                });
+            }
         }
         if N::VISIBLE_LAMPS {
             for (i, lamp) in self.lamps.iter().enumerate() {
@@ -157,9 +168,15 @@ impl<S: Scalar> Scene<'_, S> {
             }
         };
         if N::SPHERES {
-            let open =
+            let mut open =
                 |_, sphere: &Sphere<S>| sphere.intersect(ray, t_max).is_none() || shade(&sphere.material);
-            if !sphere::sweep(self.spheres, ray, open) {
+            let is_open = if N::HIERARCHY && !self.hierarchy.is_empty() {
+                let mut walk = Walk::new(self.hierarchy, self.spheres);
+                core::iter::from_fn(|| walk.next(ray, t_max)).all(|(i, sphere)| open(i, sphere))
+            } else {
+                sphere::sweep(self.spheres, ray, open)
+            };
+            if !is_open {
                 return S::Unit::ZERO;
             }
         }

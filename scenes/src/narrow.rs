@@ -5,6 +5,7 @@ use core::fmt;
 use rta_core::Scalar;
 use rta_core::camera::{Camera, Lens};
 use rta_core::color::Rgb;
+use rta_core::hierarchy::Node;
 use rta_core::light::Lamp;
 use rta_core::material::{Glass, Material};
 use rta_core::scene::{Scene, Sky};
@@ -14,6 +15,7 @@ use rta_core::vector::{Vec3, Vector};
 use crate::description::{self, Description, Surface};
 
 mod formats;
+mod hierarchy;
 
 /// A number format that descriptions can be narrowed to.
 pub trait Narrow: Scalar {
@@ -52,6 +54,8 @@ pub struct Narrowed<S: Scalar> {
     pub ellipsoids: Vec<Ellipsoid<S>>,
     /// Spheres.
     pub spheres: Vec<Sphere<S>>,
+    /// A hierarchy over the spheres; none where there are few.
+    pub hierarchy: Vec<Node<S>>,
     /// Lamps.
     pub lamps: Vec<Lamp<S>>,
     /// The floor.
@@ -69,6 +73,7 @@ impl<S: Scalar> Narrowed<S> {
             cylinders: &self.cylinders,
             ellipsoids: &self.ellipsoids,
             spheres: &self.spheres,
+            hierarchy: &self.hierarchy,
             lamps: &self.lamps,
             floor: self.floor,
             sky: self.sky,
@@ -262,6 +267,7 @@ pub fn narrow<S: Narrow>(description: &Description, aspect: f64) -> Result<Narro
         cylinders,
         ellipsoids,
         spheres,
+        hierarchy: hierarchy::build(&description.spheres),
         lamps: lamps?,
         floor,
         sky: Sky {

@@ -62,6 +62,7 @@ fn dark<S: Measure>() -> Scene<'static, S> {
         cylinders: &[],
         ellipsoids: &[],
         spheres: &[],
+        hierarchy: &[],
         lamps: &[],
         floor: None,
         sky: Sky { horizon: light::<S>(BLACK), zenith: light::<S>(BLACK) },

@@ -45,6 +45,13 @@ impl<'a, 's, S: Scalar> Extent<'a, 's, S> {
                 *high = if c + radius > *high { c + radius } else { *high };
             }
         }
+        // The rays are measured from the centres of nodes too.
+        for node in scene.hierarchy {
+            for ((low, high), c) in low.iter_mut().zip(&mut high).zip(axes::<S>(node.center).map(quarter)) {
+                *low = if c < *low { c } else { *low };
+                *high = if c > *high { c } else { *high };
+            }
+        }
         Self { scene, eye: camera.eye, low, high }
     }
 

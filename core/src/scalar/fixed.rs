@@ -297,6 +297,13 @@ macro_rules! fixed_point {
             fn squashed(self, thickness: I2F30) -> Self {
                 Scalar::over(self, thickness)
             }
+            /// A component of a foot point is rounded by half an LSB, and a direction is a unit long to within 2^-29,
+            /// which leaves 2^-28 of the distance. Two foot points of three components err by less than 2 LSB and 2^-26
+            /// of the distance together; twice that is added.
+            fn swollen(self, distance: Self) -> Self {
+                let slack = 4 + (distance.to_bits().unsigned_abs() >> 25).cast_signed();
+                Self::from_bits(self.to_bits() + slack)
+            }
             fn odd_tile(self) -> bool {
                 integer::odd_third(i64::from(self.to_bits() >> $bits))
             }

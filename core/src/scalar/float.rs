@@ -105,6 +105,12 @@ macro_rules! float {
             fn over(self, slope: Self) -> Self {
                 (self / slope).min($far)
             }
+            /// A component of a foot point errs by at most `4 u (|b| + r)`, `u = EPSILON / 2`: the roundings of a
+            /// product and a difference and what the direction is not a unit long. Two foot points of three components
+            /// err by `7 EPSILON` of it; a little more than twice that is added.
+            fn swollen(self, distance: Self) -> Self {
+                self + 16.0 * <$f>::EPSILON * (distance.abs() + self)
+            }
             fn odd_tile(self) -> bool {
                 let half = $floor(self / 3.0) * 0.5;
                 half != $floor(half)

@@ -67,6 +67,11 @@ impl<S: Format> Scalar for Paired<S> {
             .noted("over", [self.error(), slope.error()])
     }
     #[track_caller]
+    fn swollen(self, distance: Self) -> Self {
+        let twin = Scalar::swollen(self.twin, distance.twin);
+        Self { format: self.format.swollen(distance.format), twin }.noted("swollen", [self.error()])
+    }
+    #[track_caller]
     fn odd_tile(self) -> bool {
         let (format, twin) = (self.format.odd_tile(), self.twin.odd_tile());
         log::decision("odd_tile", self.values(), [3.0, 3.0], format, twin);

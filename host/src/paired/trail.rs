@@ -10,7 +10,7 @@ use std::sync::Mutex;
 use rayon::prelude::*;
 use rta_core::color::Rgb;
 use rta_core::illumination::{Illumination, RayKind, Rta, Whitted};
-use rta_core::needs::Everything;
+use rta_core::needs::Needs;
 use rta_core::raster::{Pixels, Raster};
 use rta_core::scene::Object;
 use rta_core::trace::Tracer;
@@ -22,6 +22,14 @@ use super::log::{self, Log};
 use super::witness::{Notes, Readable, Witness, lock};
 use super::{Paired, Value};
 use crate::engine::{self, EngineError, MAX_DEPTH, Model, Settings};
+
+/// Everything, but the spheres are tried one after the other: what a hierarchy leaves out decides nothing in a picture,
+/// so its decisions are none of the picture's branches.
+struct OneByOne;
+
+impl Needs for OneByOne {
+    const HIERARCHY: bool = false;
+}
 
 /// What a ray met.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -208,7 +216,7 @@ fn watched<S: Readable, M: Illumination<S>>(
     let notes = Mutex::new(Notes::default());
     let witness = Witness { model, scene: scene.scene(), notes: &notes };
     let admitted = scene.scene().admit(&scene.camera).map_err(rta_core::Error::from)?;
-    let tracer = Tracer::<S, _, Everything, { MAX_DEPTH as usize }>::new(admitted, witness, settings.depth)?;
+    let tracer = Tracer::<S, _, OneByOne, { MAX_DEPTH as usize }>::new(admitted, witness, settings.depth)?;
     let mut traced = Pixels::rows(&tracer, &scene.camera, raster, window.rows.start, window.rows.end);
     let mut pixels = Vec::new();
     for _ in traced.by_ref().take(window.skip) {

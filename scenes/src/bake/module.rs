@@ -142,6 +142,18 @@ fn write_objects<S: Literal>(out: &mut impl Write, scene: &Narrowed<S>) -> fmt::
             material(&s.material)
         )?;
     }
+    writeln!(out, "            ],\n            hierarchy: &[")?;
+    for n in &scene.hierarchy {
+        writeln!(
+            out,
+            "                ::rta_core::hierarchy::Node {{ center: {}, radius: {}, first: {}, end: {}, skip: {} }},",
+            place::<S>(n.center),
+            length(n.radius),
+            n.first,
+            n.end,
+            n.skip
+        )?;
+    }
     writeln!(out, "            ],\n            lamps: &[")?;
     for l in &scene.lamps {
         writeln!(

@@ -1,0 +1,135 @@
+//! Builds the hierarchy over the spheres of a scene, top down, by the surface area heuristic (Goldsmith and Salmon 1987).
+//!
+//! The list is cut into runs and never sorted, so that what is equally near stays in the order of the file.
+
+use rta_core::hierarchy::Node;
+use rta_core::vector::Vector;
+
+use super::Narrow;
+use crate::description::Sphere;
+
+/// Fewer spheres than this are as quickly tried one after another.
+const FEWEST: usize = 8;
+/// What looking at a node costs, in spheres.
+const NODE: f64 = 1.0;
+
+/// A box.
+#[derive(Clone, Copy)]
+struct Bounds {
+    low: [f64; 3],
+    high: [f64; 3],
+}
+
+impl Bounds {
+    const NONE: Self = Self { low: [f64::INFINITY; 3], high: [f64::NEG_INFINITY; 3] };
+
+    fn with(mut self, sphere: &Sphere) -> Self {
+        let places = self.low.iter_mut().zip(&mut self.high).zip(sphere.position);
+        for ((low, high), c) in places {
+            *low = low.min(c - sphere.radius);
+            *high = high.max(c + sphere.radius);
+        }
+        self
+    }
+
+    fn center(&self) -> [f64; 3] {
+        let [x, y, z] = [0, 1, 2].map(|axis: usize| {
+            let (low, high) = (self.low.get(axis), self.high.get(axis));
+            low.zip(high).map_or(0.0, |(low, high)| f64::midpoint(*low, *high))
+        });
+        [x, y, z]
+    }
+
+    /// The square of half the diagonal, which the surface of a sphere about the box goes with.
+    fn surface(&self) -> f64 {
+        self.low.iter().zip(&self.high).map(|(low, high)| (high - low) * (high - low)).sum::<f64>() / 4.0
+    }
+}
+
+/// The nodes in preorder; none where there are few spheres, or where the number format has no room for them.
+pub(super) fn build<S: Narrow>(spheres: &[Sphere]) -> Vec<Node<S>> {
+    let mut nodes = Vec::new();
+    if spheres.len() < FEWEST || u32::try_from(spheres.len()).is_err() {
+        return nodes;
+    }
+    // Runs that are still to be made into nodes, the first one last; or a node whose subtree is complete.
+    enum Task {
+        Run(usize, usize),
+        Close(usize),
+    }
+    let mut tasks = vec![Task::Run(0, spheres.len())];
+    while let Some(task) = tasks.pop() {
+        match task {
+            Task::Close(number) => {
+                let skip = number_of(nodes.len());
+                if let Some(node) = nodes.get_mut(number) {
+                    let node: &mut Node<S> = node;
+                    node.skip = skip;
+                }
+            }
+            Task::Run(first, end) => {
+                let Some(run) = spheres.get(first..end) else { continue };
+                let Some(node) = node(run, first, end) else { return Vec::new() };
+                tasks.push(Task::Close(nodes.len()));
+                nodes.push(node);
+                if let Some(cut) = best_cut(run) {
+                    tasks.push(Task::Run(first + cut, end));
+                    tasks.push(Task::Run(first, first + cut));
+                }
+            }
+        }
+    }
+    nodes
+}
+
+fn number_of(index: usize) -> u32 {
+    // There are fewer than twice as many nodes as spheres; more than 2^31 spheres do not come.
+    u32::try_from(index).unwrap_or(u32::MAX)
+}
+
+/// The node of a run: centre and radius rounded so that the spheres lie within, as they are in the format.
+fn node<S: Narrow>(run: &[Sphere], first: usize, end: usize) -> Option<Node<S>> {
+    let center = run.iter().fold(Bounds::NONE, Bounds::with).center();
+    let reach = |sphere: &Sphere| {
+        let square: f64 = sphere.position.iter().zip(center).map(|(c, of)| (c - of) * (c - of)).sum();
+        square.sqrt() + sphere.radius
+    };
+    let radius = run.iter().map(reach).fold(0.0, f64::max);
+    let farthest = center.iter().fold(radius, |most, c| most.max(c.abs()));
+    // Half an LSB of each coordinate and radius, or some units of a float's last place.
+    let radius = radius + 1e-6 * (radius + farthest) + S::SMALLEST_RADIUS / 4.0;
+    if farthest + radius > S::largest() / 2.0 {
+        return None;
+    }
+    let [x, y, z] = center.map(S::length);
+    let (first, end) = (number_of(first), number_of(end));
+    Some(Node { center: Vector::new(x, y, z), radius: S::length(radius), first, end, skip: 0 })
+}
+
+/// Where a run is best cut in two; nothing where it is best left whole.
+fn best_cut(run: &[Sphere]) -> Option<usize> {
+    // The boxes of the last 1, 2, 3 ... spheres.
+    let mut behind = Vec::with_capacity(run.len());
+    let mut bounds = Bounds::NONE;
+    for sphere in run.iter().rev() {
+        bounds = bounds.with(sphere);
+        behind.push(bounds.surface());
+    }
+    let whole = bounds.surface();
+    let (mut bounds, mut best) = (Bounds::NONE, (None, whole * count(run.len())));
+    for (cut, sphere) in (1..run.len()).zip(run) {
+        bounds = bounds.with(sphere);
+        let after = run.len() - cut;
+        let last = behind.get(after - 1).copied().unwrap_or(whole);
+        let cost = 2.0 * NODE * whole + bounds.surface() * count(cut) + last * count(after);
+        if cost < best.1 {
+            best = (Some(cut), cost);
+        }
+    }
+    best.0
+}
+
+#[allow(clippy::cast_precision_loss)] // far fewer than 2^53
+fn count(spheres: usize) -> f64 {
+    spheres as f64
+}
