@@ -6,6 +6,7 @@
 //! "Efficiency Issues for Ray Tracing", 1998). Spheres are met in the order of their list, and none is left out that
 //! the search would find: a picture is the same with the hierarchy and without.
 
+use crate::needs::Needs;
 use crate::ray::Ray;
 use crate::scalar::{Scalar, Unit};
 use crate::shape::Sphere;
@@ -53,8 +54,10 @@ pub(crate) struct Walk<'a, S: Scalar> {
 }
 
 impl<'a, S: Scalar> Walk<'a, S> {
-    pub(crate) fn new(nodes: &'a [Node<S>], spheres: &'a [Sphere<S>]) -> Self {
-        Self { nodes, spheres, node: 0, next: 0, end: 0 }
+    /// Without a hierarchy the walk is in one leaf from the beginning, with all spheres.
+    pub(crate) fn new<N: Needs>(nodes: &'a [Node<S>], spheres: &'a [Sphere<S>]) -> Self {
+        let nodes = if N::HIERARCHY { nodes } else { &[] };
+        Self { nodes, spheres, node: 0, next: 0, end: if nodes.is_empty() { spheres.len() } else { 0 } }
     }
 
     /// The next sphere that may be met nearer than `t_max`, which may shrink from call to call.

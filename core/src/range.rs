@@ -264,7 +264,8 @@ impl<'a, S: Scalar> Scene<'a, S> {
                 return Err(RangeError::Radius(object));
             }
         }
-        if let Some(node) = hierarchy::first_wrong(self.hierarchy, self.spheres, hierarchy::largest_radius()) {
+        if let Some(node) = hierarchy::first_wrong(self.hierarchy, self.spheres, hierarchy::largest_radius())
+        {
             return Err(RangeError::Hierarchy(node));
         }
         for (object, color, _) in self.surfaces() {

@@ -125,16 +125,16 @@ impl<S: Scalar> Scene<'_, S> {
             }
         }
         if N::SPHERES {
-            if N::HIERARCHY && !self.hierarchy.is_empty() {
-                let mut walk = Walk::new(self.hierarchy, self.spheres);
-                while let Some((i, sphere)) = walk.next(ray, t_max) {
-                    found(sphere.intersect(ray, t_max), Object::Sphere(i), &mut t_max);
-                }
-            } else {
+            if S::LANES && (!N::HIERARCHY || self.hierarchy.is_empty()) {
                 sphere::sweep(self.spheres, ray, |i, sphere| {
                     found(sphere.intersect(ray, t_max), Object::Sphere(i), &mut t_max);
                     true
                 });
+            } else {
+                let mut walk = Walk::new::<N>(self.hierarchy, self.spheres);
+                while let Some((i, sphere)) = walk.next(ray, t_max) {
+                    found(sphere.intersect(ray, t_max), Object::Sphere(i), &mut t_max);
+                }
             }
         }
         if N::VISIBLE_LAMPS {
@@ -168,16 +168,20 @@ impl<S: Scalar> Scene<'_, S> {
             }
         };
         if N::SPHERES {
-            let mut open =
-                |_, sphere: &Sphere<S>| sphere.intersect(ray, t_max).is_none() || shade(&sphere.material);
-            let is_open = if N::HIERARCHY && !self.hierarchy.is_empty() {
-                let mut walk = Walk::new(self.hierarchy, self.spheres);
-                core::iter::from_fn(|| walk.next(ray, t_max)).all(|(i, sphere)| open(i, sphere))
-            } else {
-                sphere::sweep(self.spheres, ray, open)
+            let mut open = |sphere: &Sphere<S>| {
+                sphere.intersect(ray, t_max).is_none() || shade(&sphere.material)
             };
-            if !is_open {
-                return S::Unit::ZERO;
+            if S::LANES && (!N::HIERARCHY || self.hierarchy.is_empty()) {
+                if !sphere::sweep(self.spheres, ray, |_, sphere| open(sphere)) {
+                    return S::Unit::ZERO;
+                }
+            } else {
+                let mut walk = Walk::new::<N>(self.hierarchy, self.spheres);
+                while let Some((_, sphere)) = walk.next(ray, t_max) {
+                    if !open(sphere) {
+                        return S::Unit::ZERO;
+                    }
+                }
             }
         }
         if N::ELLIPSOIDS {

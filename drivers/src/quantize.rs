@@ -109,7 +109,10 @@ impl Uniform {
     ///
     /// # Errors
     /// [`TableError::Colors`] unless `colors` is 8..=256; [`TableError::Guns`] if `gun_max` is 0.
-    #[allow(clippy::indexing_slicing, reason = "every index is below the length; a constant function cannot iterate")]
+    #[allow(
+        clippy::indexing_slicing,
+        reason = "every index is below the length; a constant function cannot iterate"
+    )]
     pub const fn new(colors: u16, gun_max: u8) -> Result<Self, TableError> {
         if colors < 8 || colors > MAX_COLORS {
             return Err(TableError::Colors { colors, min: 8 });

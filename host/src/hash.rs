@@ -19,7 +19,8 @@ pub fn run(args: &HashArgs) -> Result<(), Error> {
     let request = args.tracing.request(target);
     let (size, _) = request.raster()?;
     let scene = Scene::open(&args.scene)?;
-    let hash = Work::new(&request, &scene, args.tracing.threads, interrupt::watch())?.checksum(args.device)?;
+    let hash =
+        Work::new(&request, &scene, args.tracing.threads, interrupt::watch())?.checksum(args.device)?;
     let caption = request.caption(&scene);
     let line = format!("{hash:016x}  {}, {size}, {}\n", caption.title, caption.settings);
     output::write_text(Path::new("-"), &line)

@@ -98,12 +98,13 @@ impl<'a> Work<'a> {
     pub fn checksum(&self, device: Device) -> Result<u64, Error> {
         let capabilities = device.capabilities();
         let table = Table(self.request.table.table(capabilities).map_err(Error::display)?);
-        let mut painter =
-            Painter::new(Checksum::new(Unseen(capabilities)), table).map_err(Error::display)?;
+        let mut painter = Painter::new(Checksum::new(Unseen(capabilities)), table).map_err(Error::display)?;
         let trace = |first, levels: &mut [_]| self.engine.level_rows(first, capabilities.gun_max, levels);
         self.trace(trace, |first, levels| {
             let rows = (first..).zip(levels.chunks(self.size.columns()));
-            rows.into_iter().try_for_each(|(y, row)| painter.put_row(0, y, row.iter().copied())).map_err(Error::display)
+            rows.into_iter()
+                .try_for_each(|(y, row)| painter.put_row(0, y, row.iter().copied()))
+                .map_err(Error::display)
         })?;
         Ok(painter.display().value())
     }

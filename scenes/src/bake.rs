@@ -168,7 +168,7 @@ pub fn bake_with(path: impl AsRef<Path>, recipe: &Recipe) -> Result<PathBuf, Bak
     let folder = env::var_os("OUT_DIR").ok_or(BakeError::NoBuildScript)?;
     let text = fs::read(path).map_err(failed(path))?;
     let name = path.display().to_string();
-    let source = module(&dat::read(&*text, &name)?, &name, recipe)?;
+    let source = module(&dat::read(&text, &name)?, &name, recipe)?;
     let out = Path::new(&folder).join(path.file_stem().unwrap_or("scene".as_ref())).with_extension("rs");
     fs::write(&out, source).map_err(failed(&out))?;
     Ok(out)

@@ -83,7 +83,8 @@ impl Unit for I2F30 {
     #[allow(clippy::cast_possible_truncation)] // saturated
     #[inline(always)] // of constants it is one, and no division of 128 bits is in the program
     fn ratio(numerator: i64, denominator: i64) -> Self {
-        let scaled = (i128::from(numerator.unsigned_abs()) << (UNIT_BITS + 1)) / i128::from(denominator.max(1));
+        let scaled =
+            (i128::from(numerator.unsigned_abs()) << (UNIT_BITS + 1)) / i128::from(denominator.max(1));
         let bits = ((scaled + 1) >> 1).min(i128::from(i32::MAX)) as i32;
         Self::from_bits(if numerator < 0 { -bits } else { bits })
     }

@@ -64,9 +64,6 @@ pub(crate) fn sweep<'a, S: Scalar>(
     ray: &Ray<S>,
     mut visit: impl FnMut(usize, &'a Sphere<S>) -> bool,
 ) -> bool {
-    if !S::LANES {
-        return spheres.iter().enumerate().all(|(i, sphere)| visit(i, sphere));
-    }
     let (blocks, rest) = spheres.as_chunks::<4>();
     for (k, block) in blocks.iter().enumerate() {
         let may = S::may_meet(block.each_ref().map(|s| (s.center, s.radius)), ray.origin, ray.direction);

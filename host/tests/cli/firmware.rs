@@ -13,7 +13,7 @@ fn a_scene_is_baked_into_a_file_or_a_pipe() {
     let piped = folder.prints(&["bake", "scene.dat", "-o", "-"]);
     assert!(file == piped);
     for words in
-        ["pub type Number = ::rta_core::Q16;", "const ELLIPSOIDS: bool = true;", "pub static SCENE: "]
+        ["pub type Number = ::rta_core::Q16;", "const ELLIPSOIDS: bool = true;", "pub const SCENE: "]
     {
         assert!(file.contains(words), "{words}");
     }

@@ -13,7 +13,7 @@ use super::{Model, Recipe};
 use crate::narrow::{Narrow, Narrowed};
 
 /// An item may not need all its names, and nobody reads its numbers.
-const ALLOW: &str = "#[allow(dead_code, unused_imports, clippy::unreadable_literal)]";
+const ALLOW: &str = "#[allow(dead_code, unused_imports, clippy::unreadable_literal, unreachable_pub)]";
 
 /// Writes the whole module.
 pub(super) fn write<S: Literal>(
@@ -35,10 +35,15 @@ pub(super) fn write<S: Literal>(
     writeln!(out, "/// The number format: {format}.\npub type Number = {};\n", S::PATH)?;
     write_needs(out, used)?;
     writeln!(out, "\n/// The scene.\n{ALLOW}")?;
-    writeln!(out, "pub static SCENE: ::rta_core::range::Admitted<'static, Number> = {{")?;
+    writeln!(out, "pub const SCENE: ::rta_core::range::Admitted<'static, Number> = {{")?;
     write_names(out, S::CONSTRUCTORS)?;
-    writeln!(out, "    ::rta_core::range::Admitted::baked(\n        ::rta_core::scene::Scene {{")?;
-    write_objects(out, scene)?;
+    write_lists(out, scene)?;
+    writeln!(
+        out,
+        "    ::rta_core::range::Admitted::baked(\n        ::rta_core::scene::Scene {{\n            \
+         cylinders: &CYLINDERS,\n            ellipsoids: &ELLIPSOIDS,\n            spheres: &SPHERES,\n            \
+         hierarchy: &HIERARCHY,\n            lamps: &LAMPS,"
+    )?;
     match &scene.floor {
         None => writeln!(out, "            floor: None,")?,
         Some(floor) => {
@@ -64,7 +69,7 @@ pub(super) fn write<S: Literal>(
         length(limits.lid)
     )?;
     let camera = &scene.camera;
-    writeln!(out, "\n/// The eye.\n{ALLOW}\npub static CAMERA: ::rta_core::camera::Camera<Number> = {{")?;
+    writeln!(out, "\n/// The eye.\n{ALLOW}\npub const CAMERA: ::rta_core::camera::Camera<Number> = {{")?;
     write_names(out, S::CONSTRUCTORS)?;
     writeln!(
         out,
@@ -100,73 +105,69 @@ fn write_names(out: &mut impl Write, constructors: &str) -> fmt::Result {
     out.write_str(constructors)
 }
 
-fn write_objects<S: Literal>(out: &mut impl Write, scene: &Narrowed<S>) -> fmt::Result {
-    let inverse = |inverse: S::Inverse| S::inverse_literal(inverse);
-    writeln!(out, "            cylinders: &[")?;
-    for c in &scene.cylinders {
-        writeln!(
-            out,
-            "                ::rta_core::shape::Cylinder {{ center: {}, radius: {}, inverse_radius: {}, color: {}, material: {} }},",
+/// A list of objects as a static of its own: what is in it stays in flash, while the scene, a constant, is known to the
+/// compiler wherever it is used.
+fn write_list(out: &mut impl Write, name: &str, path: &str, objects: &[String]) -> fmt::Result {
+    writeln!(out, "    static {name}: [::rta_core::{path}<Number>; {}] = [", objects.len())?;
+    for object in objects {
+        writeln!(out, "        ::rta_core::{path} {{ {object} }},")?;
+    }
+    writeln!(out, "    ];")
+}
+
+fn write_lists<S: Literal>(out: &mut impl Write, scene: &Narrowed<S>) -> fmt::Result {
+    let cylinders = scene.cylinders.iter().map(|c| {
+        format!(
+            "center: {}, radius: {}, inverse_radius: {}, color: {}, material: {}",
             place::<S>(c.center),
             length(c.radius),
-            inverse(c.inverse_radius),
+            S::inverse_literal(c.inverse_radius),
             color::<S>(c.color),
             material(&c.material)
-        )?;
-    }
-    writeln!(out, "            ],\n            ellipsoids: &[")?;
-    for e in &scene.ellipsoids {
-        writeln!(
-            out,
-            "                ::rta_core::shape::Ellipsoid {{ center: {}, radii: {}, extent: {}, inverse_extent: {}, squash: {}, \
-             thickness: {}, color: {}, material: {} }},",
+        )
+    });
+    let ellipsoids = scene.ellipsoids.iter().map(|e| {
+        format!(
+            "center: {}, radii: {}, extent: {}, inverse_extent: {}, squash: {}, thickness: {}, color: {}, material: {}",
             place::<S>(e.center),
             place::<S>(e.radii),
             length(e.extent),
-            inverse(e.inverse_extent),
+            S::inverse_literal(e.inverse_extent),
             direction::<S>(e.squash),
             unit::<S>(e.thickness),
             color::<S>(e.color),
             material(&e.material)
-        )?;
-    }
-    writeln!(out, "            ],\n            spheres: &[")?;
-    for s in &scene.spheres {
-        writeln!(
-            out,
-            "                ::rta_core::shape::Sphere {{ center: {}, radius: {}, inverse_radius: {}, color: {}, material: {} }},",
+        )
+    });
+    let spheres = scene.spheres.iter().map(|s| {
+        format!(
+            "center: {}, radius: {}, inverse_radius: {}, color: {}, material: {}",
             place::<S>(s.center),
             length(s.radius),
-            inverse(s.inverse_radius),
+            S::inverse_literal(s.inverse_radius),
             color::<S>(s.color),
             material(&s.material)
-        )?;
-    }
-    writeln!(out, "            ],\n            hierarchy: &[")?;
-    for n in &scene.hierarchy {
-        writeln!(
-            out,
-            "                ::rta_core::hierarchy::Node {{ center: {}, radius: {}, first: {}, end: {}, skip: {} }},",
-            place::<S>(n.center),
-            length(n.radius),
-            n.first,
-            n.end,
-            n.skip
-        )?;
-    }
-    writeln!(out, "            ],\n            lamps: &[")?;
-    for l in &scene.lamps {
-        writeln!(
-            out,
-            "                ::rta_core::light::Lamp {{ position: {}, radius: {}, inverse_radius: {}, power: {}, tint: {} }},",
+        )
+    });
+    let nodes = scene.hierarchy.iter().map(|n| {
+        let (center, radius) = (place::<S>(n.center), length(n.radius));
+        format!("center: {center}, radius: {radius}, first: {}, end: {}, skip: {}", n.first, n.end, n.skip)
+    });
+    let lamps = scene.lamps.iter().map(|l| {
+        format!(
+            "position: {}, radius: {}, inverse_radius: {}, power: {}, tint: {}",
             place::<S>(l.position),
             length(l.radius),
-            inverse(l.inverse_radius),
+            S::inverse_literal(l.inverse_radius),
             S::power_literal(l.power),
             color::<S>(l.tint)
-        )?;
-    }
-    writeln!(out, "            ],")
+        )
+    });
+    write_list(out, "CYLINDERS", "shape::Cylinder", &cylinders.collect::<Vec<_>>())?;
+    write_list(out, "ELLIPSOIDS", "shape::Ellipsoid", &ellipsoids.collect::<Vec<_>>())?;
+    write_list(out, "SPHERES", "shape::Sphere", &spheres.collect::<Vec<_>>())?;
+    write_list(out, "HIERARCHY", "hierarchy::Node", &nodes.collect::<Vec<_>>())?;
+    write_list(out, "LAMPS", "light::Lamp", &lamps.collect::<Vec<_>>())
 }
 
 fn length<S: Literal>(length: S) -> String {

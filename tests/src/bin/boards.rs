@@ -53,7 +53,8 @@ fn main() -> ExitCode {
 }
 
 fn run(args: &Args) -> Result<bool, Failure> {
-    if let Some(unknown) = args.boards.iter().find(|name| ALL.iter().all(|board| board.name != name.as_str())) {
+    if let Some(unknown) = args.boards.iter().find(|name| ALL.iter().all(|board| board.name != name.as_str()))
+    {
         let names: Vec<_> = ALL.iter().map(|board| board.name).collect();
         return Err(format!("there is no board {unknown}; there are {}", names.join(", ")).into());
     }
@@ -90,13 +91,19 @@ fn run(args: &Args) -> Result<bool, Failure> {
         println!("FAILED {failure}");
     }
     let seconds = begin.elapsed().as_secs();
-    println!("boards: {} pictures right, {} failed, {} boards skipped, {seconds} s", rows.len(), failures.len(), skipped.len());
+    println!(
+        "boards: {} pictures right, {} failed, {} boards skipped, {seconds} s",
+        rows.len(),
+        failures.len(),
+        skipped.len()
+    );
     Ok(failures.is_empty() && (skipped.is_empty() || std::env::var_os("CI").is_none()))
 }
 
 /// The compiler for a board whose emulator is there.
 fn ready(board: &Board) -> Result<Toolchain, Failure> {
-    let probe = Command::new(board.emulator).arg("--version").stdout(Stdio::null()).stderr(Stdio::null()).status();
+    let probe =
+        Command::new(board.emulator).arg("--version").stdout(Stdio::null()).stderr(Stdio::null()).status();
     if probe.is_err() {
         return Err(format!("no {}: see tests/boards/setup", board.emulator).into());
     }
@@ -146,7 +153,13 @@ fn title(board: &Board, picture: &Picture) -> String {
 }
 
 /// Builds, boots and compares one picture.
-fn draw(board: Board, toolchain: Toolchain, picture: Picture, compiler: &Mutex<()>, args: &Args) -> Result<Row, Failure> {
+fn draw(
+    board: Board,
+    toolchain: Toolchain,
+    picture: Picture,
+    compiler: &Mutex<()>,
+    args: &Args,
+) -> Result<Row, Failure> {
     let room = tempfile::tempdir()?;
     let image = room.path().join("image");
     {
@@ -222,7 +235,12 @@ fn compare_screen(
     }
 }
 
-fn footprint_of(board: &Board, picture: &Picture, outcome: &Outcome, image: &[u8]) -> Result<Option<Footprint>, Failure> {
+fn footprint_of(
+    board: &Board,
+    picture: &Picture,
+    outcome: &Outcome,
+    image: &[u8],
+) -> Result<Option<Footprint>, Failure> {
     let (Some(stack), Some(instructions)) = (outcome.stack, outcome.instructions) else { return Ok(None) };
     let elf::Sizes { text, rodata, ram } = elf::sizes(image)?;
     let (width, height) = picture.size;
@@ -246,7 +264,10 @@ fn drift(now: &[Footprint], (compiler, then): &(String, Vec<Footprint>), version
 }
 
 fn print_table(rows: &[Row]) {
-    println!("\n{:12} {:12} {:8} {:4} {:10} {:>9} {:>6}  hash at 160x100", "board", "processor", "scene", "", "needs", "raster", "stack");
+    println!(
+        "\n{:12} {:12} {:8} {:4} {:10} {:>9} {:>6}  hash at 160x100",
+        "board", "processor", "scene", "", "needs", "raster", "stack"
+    );
     for Row { board, picture, hash, stack, .. } in rows {
         let (width, height) = picture.size;
         let stack = stack.map_or_else(String::new, |stack| stack.to_string());

@@ -51,7 +51,8 @@ pub fn flat(file: &[u8], base: u64) -> Result<Vec<u8>, Failure> {
         }
         let address = u64::from(segment.elf_program_header().p_paddr.get(endian));
         let start = address.checked_sub(base).and_then(|start| usize::try_from(start).ok());
-        let start = start.filter(|start| start + bytes.len() <= 4 << 20).ok_or("a segment is out of reach")?;
+        let start =
+            start.filter(|start| start + bytes.len() <= 4 << 20).ok_or("a segment is out of reach")?;
         if memory.len() < start + bytes.len() {
             memory.resize(start + bytes.len(), 0);
         }

@@ -40,7 +40,7 @@ impl Indexed {
 /// The engine's levels of a picture, on guns with that highest level.
 fn levels(picture: &Picture, (width, height): (u32, u32), gun_max: u8) -> Result<Vec<Rgb<u8>>, Failure> {
     let text = std::fs::read(&picture.file)?;
-    let scene = dat::read(&*text, &picture.file.display().to_string())?;
+    let scene = dat::read(&text, &picture.file.display().to_string())?;
     let format: Format = picture.format;
     let engine = Engine::new(&scene, &Settings { width, height, format, ..Settings::default() })?;
     let mut levels = vec![Rgb::new(0, 0, 0); width as usize * height as usize];

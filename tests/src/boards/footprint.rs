@@ -60,7 +60,8 @@ pub fn page(rows: &[Footprint], version: &str) -> String {
 /// # Errors
 /// It is no such page.
 pub fn parse(page: &str) -> Result<(String, Vec<Footprint>), Failure> {
-    let version = page.lines().find_map(|line| line.strip_prefix("Compiler: ")).ok_or("it names no compiler")?;
+    let version =
+        page.lines().find_map(|line| line.strip_prefix("Compiler: ")).ok_or("it names no compiler")?;
     let mut rows = Vec::new();
     for line in page.lines().skip_while(|line| !line.starts_with("| ---")).skip(1) {
         let cells: Vec<&str> = line.trim_matches('|').split('|').map(str::trim).collect();
@@ -92,7 +93,9 @@ impl Footprint {
     pub fn drift(&self, recorded: &Self) -> Vec<String> {
         let pairs = self.figures().into_iter().zip(recorded.figures());
         let drifted = pairs.filter(|((_, now), (_, then))| now.abs_diff(*then) * DRIFT > *then);
-        drifted.map(|((name, now), (_, then))| format!("{}: {name} {then} -> {now}", self.key.join(" "))).collect()
+        drifted
+            .map(|((name, now), (_, then))| format!("{}: {name} {then} -> {now}", self.key.join(" ")))
+            .collect()
     }
 }
 

@@ -1,12 +1,13 @@
 //! A board switched on: from an image to what it drew and reported.
 
+use core::time::Duration;
 use std::fs;
 use std::io::{Read, Write};
 use std::os::unix::net::UnixStream;
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
 use std::thread;
-use std::time::{Duration, Instant};
+use std::time::Instant;
 
 use rta_core::color::Rgb;
 
@@ -204,7 +205,9 @@ fn screened(board: &Board, kind: Image, image: &Path, room: &Path) -> Result<Out
 
 fn report_size(words: &str) -> Result<(usize, usize), Failure> {
     let side = |name| report(words, name).and_then(|side| usize::try_from(side).ok());
-    side("width").zip(side("height")).ok_or_else(|| format!("the board does not tell its raster: {words}").into())
+    side("width")
+        .zip(side("height"))
+        .ok_or_else(|| format!("the board does not tell its raster: {words}").into())
 }
 
 /// Connects to a socket that the emulator is about to make.
@@ -234,7 +237,8 @@ fn until(line: &mut UnixStream, end: &[u8]) -> Result<String, Failure> {
 /// A binary PPM with 8 bits a gun.
 fn ppm(file: &[u8]) -> Result<Screendump, Failure> {
     let bad = "the screendump is no PPM";
-    let header = file.splitn(4, |&byte| byte == b'\n').take(3).map(|line| String::from_utf8_lossy(line).into_owned());
+    let header =
+        file.splitn(4, |&byte| byte == b'\n').take(3).map(|line| String::from_utf8_lossy(line).into_owned());
     let [kind, size, most] = header.collect::<Vec<_>>().try_into().map_err(|_| bad)?;
     let (width, height) = size.split_once(' ').ok_or(bad)?;
     let (width, height): (usize, usize) = (width.parse()?, height.parse()?);

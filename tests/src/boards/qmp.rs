@@ -1,9 +1,9 @@
 //! QEMU's machine protocol (QMP): lines of JSON over a socket, of which one command is needed.
 
+use core::time::Duration;
 use std::io::{BufRead, BufReader, Write};
 use std::os::unix::net::UnixStream;
 use std::path::Path;
-use std::time::Duration;
 
 use serde_json::{Value, json};
 
