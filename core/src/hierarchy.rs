@@ -105,7 +105,7 @@ pub(crate) fn first_wrong<S: Scalar>(nodes: &[Node<S>], spheres: &[Sphere<S>], m
             covered = end;
         }
     }
-    (!nodes.is_empty() && covered != spheres.len()).then_some(nodes.len() - 1)
+    (!nodes.is_empty() && covered != spheres.len()).then(|| nodes.len() - 1)
 }
 
 /// Half of the largest length, the most that a node's radius may be.

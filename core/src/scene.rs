@@ -168,9 +168,8 @@ impl<S: Scalar> Scene<'_, S> {
             }
         };
         if N::SPHERES {
-            let mut open = |sphere: &Sphere<S>| {
-                sphere.intersect(ray, t_max).is_none() || shade(&sphere.material)
-            };
+            let mut open =
+                |sphere: &Sphere<S>| sphere.intersect(ray, t_max).is_none() || shade(&sphere.material);
             if S::LANES && (!N::HIERARCHY || self.hierarchy.is_empty()) {
                 if !sphere::sweep(self.spheres, ray, |_, sphere| open(sphere)) {
                     return S::Unit::ZERO;
@@ -209,10 +208,15 @@ impl<S: Scalar> Scene<'_, S> {
 
     /// What is seen along a ray: the surface of what it hits, or the radiance of a lamp or of the sky.
     pub(crate) fn look<N: Needs>(&self, ray: &Ray<S>, limits: &Limits<S>) -> Seen<'_, S> {
-        let sky = || Seen::Light(self.sky.radiance::<N>(ray.direction));
-        let Some(Hit { distance, object }) = self.nearest::<N>(ray, limits.lid) else { return sky() };
+        let hit = self.nearest::<N>(ray, limits.lid);
+        if N::VISIBLE_LAMPS
+            && let Some(Hit { object: Object::Lamp(i), .. }) = hit
+            && let Some(lamp) = self.lamps.get(i)
+        {
+            return Seen::Light(lamp.radiance());
+        }
         // One arm for each kind; an index is always that of a thing in its list.
-        let found = match object {
+        let found = hit.and_then(|Hit { distance, object }| match object {
             Object::Floor if N::FLOOR => self.floor.as_ref().map(|floor| {
                 let (spot, color) = floor.spot(ray, distance, limits.reach);
                 (spot, color, &Material::Opaque, S::ZERO)
@@ -227,13 +231,11 @@ impl<S: Scalar> Scene<'_, S> {
             Object::Sphere(i) if N::SPHERES => {
                 self.spheres.get(i).map(|s| (s.spot(ray, distance), s.color, &s.material, s.radius))
             }
-            Object::Lamp(i) if N::VISIBLE_LAMPS => match self.lamps.get(i) {
-                Some(lamp) => return Seen::Light(lamp.radiance()),
-                None => None,
-            },
             _ => None,
+        });
+        let Some((spot, color, material, extent)) = found else {
+            return Seen::Light(self.sky.radiance::<N>(ray.direction));
         };
-        let Some((spot, color, material, extent)) = found else { return sky() };
         let inside = spot.normal.dot(ray.direction) > S::Unit::ZERO;
         let surface = Surface {
             point: spot.point,

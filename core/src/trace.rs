@@ -174,24 +174,23 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize> Tracer<'a,
             let (origin, _) = surface.point.leave(side, direction, extent);
             Some(Pending { origin, direction, weight, depth: parent.depth + 1, kind })
         };
-        let mirrored = |weight| {
+        let (mut reflected, mut transmitted) = (secondary.reflected, None);
+        if N::GLASS
+            && let (Material::Transparent(glass), Some(through)) = (surface.material, secondary.transmitted)
+        {
+            match refract(surface, glass) {
+                Some(direction) => transmitted = Some((direction, through)),
+                // Total internal reflection: both rays are one.
+                None => reflected = Some(reflected.map_or(through, |weight| weight.join(through))),
+            }
+        }
+        let reflected = reflected.and_then(|weight| {
             let direction = surface.incoming.reflect(surface.normal);
             ray(surface.normal, direction, weight, RayKind::Reflected)
-        };
-        let (Material::Transparent(glass), Some(through)) = (surface.material, secondary.transmitted) else {
-            return [secondary.reflected.and_then(mirrored), None];
-        };
-        if !N::GLASS {
-            return [secondary.reflected.and_then(mirrored), None];
-        }
-        match refract(surface, glass) {
-            Some(direction) => [
-                secondary.reflected.and_then(mirrored),
-                ray(-surface.normal, direction, through, RayKind::Transmitted),
-            ],
-            // Total internal reflection: both rays are one.
-            None => [mirrored(secondary.reflected.map_or(through, |w| w.join(through))), None],
-        }
+        });
+        let transmitted = transmitted
+            .and_then(|(direction, weight)| ray(-surface.normal, direction, weight, RayKind::Transmitted));
+        [reflected, transmitted]
     }
 }
 

@@ -61,21 +61,20 @@ impl<D: Display, T: ColorTable> Painter<D, T> {
         levels: impl IntoIterator<Item = Rgb<u8>>,
     ) -> Result<(), D::Error> {
         let mut levels = levels.into_iter();
-        let mut indices = [0; CHUNK];
         let mut x = x;
         loop {
-            let mut len = 0_u8;
-            for (index, levels) in indices.iter_mut().zip(levels.by_ref()) {
-                *index = self.table.index(levels);
-                len += 1;
+            let mut indices = heapless::Vec::<u8, CHUNK>::new();
+            for levels in levels.by_ref().take(CHUNK) {
+                // There is room for as many as are taken.
+                let _ = indices.push(self.table.index(levels));
             }
-            if len == 0 {
+            if indices.is_empty() {
                 return Ok(());
             }
             self.load_new_colors()?;
-            self.display.put_pixels(x, y, indices.get(..usize::from(len)).unwrap_or(&indices))?;
+            self.display.put_pixels(x, y, &indices)?;
             // Beyond u32 nothing is on a screen: the display refuses the next pixel.
-            x = x.saturating_add(u32::from(len));
+            x = x.saturating_add(u32::try_from(indices.len()).unwrap_or(u32::MAX));
         }
     }
 

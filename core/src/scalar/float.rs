@@ -111,6 +111,7 @@ macro_rules! float {
             fn swollen(self, distance: Self) -> Self {
                 self + 16.0 * <$f>::EPSILON * (distance.abs() + self)
             }
+            #[cfg_attr(target_os = "none", inline(never))] // four places ask
             fn odd_tile(self) -> bool {
                 let half = $floor(self / 3.0) * 0.5;
                 half != $floor(half)

@@ -80,7 +80,8 @@ pub(crate) fn sweep<'a, S: Scalar>(
 }
 
 /// Distance of the nearest hit of a sphere in ]0, `t_max`[.
-#[inline]
+#[cfg_attr(not(target_os = "none"), inline)]
+#[cfg_attr(target_os = "none", inline(never))] // rays, shadow rays and lamps share it where flash is short
 pub(crate) fn intersect<S: Scalar>(center: Vec3<S>, radius: S, ray: &Ray<S>, t_max: S) -> Option<S> {
     let displacement = center - ray.origin;
     let b = displacement.dot(ray.direction);

@@ -12,8 +12,7 @@ fn a_scene_is_baked_into_a_file_or_a_pipe() {
     let file = fs::read_to_string(folder.path("scene.rs")).unwrap();
     let piped = folder.prints(&["bake", "scene.dat", "-o", "-"]);
     assert!(file == piped);
-    for words in
-        ["pub type Number = ::rta_core::Q16;", "const ELLIPSOIDS: bool = true;", "pub const SCENE: "]
+    for words in ["pub type Number = ::rta_core::Q16;", "const ELLIPSOIDS: bool = true;", "pub const SCENE: "]
     {
         assert!(file.contains(words), "{words}");
     }

@@ -23,6 +23,9 @@ use rta_tests::boards::{Failure, elf, folder};
 struct Args {
     /// Boards [default: all]
     boards: Vec<String>,
+    /// Draws less: every scene in q16 and the Juggler in f32, and one program for any scene on two boards
+    #[arg(long)]
+    brief: bool,
     /// Writes tests/boards/FOOTPRINT.md anew instead of comparing with it
     #[arg(long)]
     write: bool,
@@ -64,7 +67,9 @@ fn run(args: &Args) -> Result<bool, Failure> {
         match ready(board) {
             Ok(toolchain) => {
                 println!("{}: {} by {}", board.name, board.processor, toolchain.version()?);
-                jobs.extend(board.pictures().into_iter().map(|picture| (*board, toolchain, picture)));
+                let pictures = board.pictures().into_iter();
+                let wanted = pictures.filter(|picture| !args.brief || picture.is_brief(board));
+                jobs.extend(wanted.map(|picture| (*board, toolchain, picture)));
             }
             Err(reason) => skipped.push(format!("{}: {reason}", board.name)),
         }
@@ -77,7 +82,7 @@ fn run(args: &Args) -> Result<bool, Failure> {
     let footprints: Vec<Footprint> = rows.iter().filter_map(|row| row.footprint.clone()).collect();
     let page = folder().join("FOOTPRINT.md");
     if args.write {
-        if !args.boards.is_empty() || !skipped.is_empty() || !failures.is_empty() {
+        if args.brief || !args.boards.is_empty() || !skipped.is_empty() || !failures.is_empty() {
             return Err("footprints are written of all boards at once, and when nothing fails".into());
         }
         fs::write(&page, footprint::page(&footprints, &version))?;

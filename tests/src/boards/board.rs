@@ -183,6 +183,18 @@ pub struct Picture {
     pub size: (u32, u32),
 }
 
+impl Picture {
+    /// Whether the picture is drawn where time is short.
+    #[must_use]
+    pub fn is_brief(&self, board: &Board) -> bool {
+        let any_scene = matches!(
+            (board.name, self.scene, self.format),
+            ("microbit", "opaque", Format::Q16) | ("mps2-an386", "opaque", Format::F32)
+        );
+        if self.baked { self.format == Format::Q16 || self.scene == "juggler" } else { any_scene }
+    }
+}
+
 /// The raster of pictures that are streamed.
 const STREAMED: (u32, u32) = (160, 100);
 

@@ -15,8 +15,8 @@ mod vga;
 use core::arch::global_asm;
 use core::panic::PanicInfo;
 
-use rta_drivers::vga13h::{CAPABILITIES, Mode13h};
 use picture::console::Serial;
+use rta_drivers::vga13h::{CAPABILITIES, Mode13h};
 use serial::Com1;
 use vga::Vga;
 
@@ -65,7 +65,7 @@ fn run(com1: &mut Com1) -> Result<(), Exit> {
     };
     let drawn = picture::draw(display, picture::adaptive(CAPABILITIES.gun_max), (0, 0), || {});
     let (mut display, _) = drawn.map_err(|_| Exit::Refused)?;
-    for (name, value) in picture::facts() {
+    for (name, value) in picture::facts(picture::table()) {
         picture::report(name, value, |byte| com1.put(byte));
     }
     picture::report("stack", stack::high_water(), |byte| com1.put(byte));

@@ -1,7 +1,7 @@
 //! COM1: a 16550 at 3F8h, polled.
 
-use picture::console::Serial;
 use crate::port;
+use picture::console::Serial;
 
 /// First port. With bit 7 of [`LINE_CONTROL`] set, it and the next one hold the divisor of the clock.
 const BASE: u16 = 0x3F8;

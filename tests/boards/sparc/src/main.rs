@@ -14,10 +14,10 @@ mod stack;
 use core::arch::global_asm;
 use core::panic::PanicInfo;
 
+use picture::console::Serial;
 use rta_drivers::display::Display;
 use rta_drivers::pixrect::{CAPABILITIES, Cgthree, PixrectDisplay};
 use screen::Screen;
-use picture::console::Serial;
 use serial::Ttya;
 
 global_asm!(include_str!("traps.s"));
@@ -62,7 +62,7 @@ fn run(ttya: &mut Ttya) -> Result<(), Exit> {
     clear(&mut display).map_err(|_| Exit::Refused)?;
     let drawn = picture::draw(display, picture::adaptive(CAPABILITIES.gun_max), ORIGIN, || {});
     let (mut display, _) = drawn.map_err(|_| Exit::Refused)?;
-    for (name, value) in picture::facts() {
+    for (name, value) in picture::facts(picture::table()) {
         picture::report(name, value, |byte| ttya.put(byte));
     }
     picture::report("stack", stack::high_water(), |byte| ttya.put(byte));

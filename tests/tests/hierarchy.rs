@@ -1,0 +1,138 @@
+//! The hierarchy over the spheres leaves nothing out: pictures and single rays are the same with it and without.
+
+#![allow(clippy::indexing_slicing, reason = "a test may panic")]
+
+use fastrand::Rng;
+use rta_core::hierarchy::Node;
+use rta_core::illumination::Rta;
+use rta_core::needs::{Everything, Needs};
+use rta_core::range::RangeError;
+use rta_core::ray::Ray;
+use rta_core::vector::{UnitVec3, UnitVector, Vector};
+use rta_core::{Q16, Q20};
+use rta_scenes::description::{Description, Sphere, Surface};
+use rta_scenes::narrow::{Narrow, narrow};
+use rta_tests::exact::{DEPTH, Exact, shipped_scene};
+use rta_tests::random_scenes;
+
+/// Everything, with the spheres tried one after the other.
+struct OneByOne;
+
+impl Needs for OneByOne {
+    const HIERARCHY: bool = false;
+}
+
+/// `count` spheres of sizes that differ a thousandfold, in clusters and far from each other; some of them touch or coincide.
+fn cloud(count: usize, spread: f64, seed: u64) -> Description {
+    let mut rng = Rng::with_seed(seed);
+    let mut scene = shipped_scene("juggler");
+    let mut center = [0.0; 3];
+    scene.spheres = (0..count)
+        .map(|i| {
+            if i % 7 == 0 {
+                center = [(); 3].map(|()| spread * (rng.f64() - 0.5));
+            }
+            let radius = spread * 0.05 * 10f64.powf(-3.0 * rng.f64());
+            let position = center.map(|c| c + spread * 0.05 * (rng.f64() - 0.5));
+            Sphere { position, color: [0.8, 0.5, 0.3], radius, surface: Surface::Opaque, line: 0 }
+        })
+        .collect();
+    let twin = scene.spheres[count / 2].clone();
+    scene.spheres.insert(count / 3, twin);
+    scene
+}
+
+/// The nearest hits of random rays, from the eye, from surfaces and from far away; and how many there were.
+fn compare<S: Narrow>(scene: &Description, rays: usize, seed: u64) -> usize {
+    let narrowed = narrow::<S>(scene, 1.0).expect("it fits");
+    assert!(!narrowed.hierarchy.is_empty(), "there are spheres enough");
+    let admitted = narrowed.scene().admit(&narrowed.camera).expect("it fits");
+    let (lid, mut rng, mut met) = (admitted.limits().lid, Rng::with_seed(seed), 0);
+    for number in 0..rays {
+        let spheres = &scene.spheres;
+        let towards = &spheres[rng.usize(..spheres.len())];
+        let from = match number % 3 {
+            0 => scene.camera.eye,
+            1 => {
+                let start = &spheres[rng.usize(..spheres.len())];
+                start.position.map(|c| c + start.radius * (2.0 * rng.f64() - 1.0))
+            }
+            _ => [(); 3].map(|()| 100.0 * (rng.f64() - 0.5)),
+        };
+        // Close to the sphere's edge, on either side of it.
+        let edge = towards.position.map(|c| c + 1.5 * towards.radius * (2.0 * rng.f64() - 1.0));
+        let way = [0, 1, 2].map(|axis| edge[axis] - from[axis]);
+        let length = way.iter().map(|c| c * c).sum::<f64>().sqrt();
+        if length < 1e-3 {
+            continue;
+        }
+        let [x, y, z] = way.map(|c| S::unit(c / length));
+        let direction: UnitVec3<S> = Vector::new(x, y, z);
+        let Some((direction, _)) = direction.normalize() else { continue };
+        let [x, y, z] = from.map(S::length);
+        let ray = Ray::new::<Everything>(Vector::new(x, y, z), direction);
+        let with = admitted.nearest::<Everything>(&ray, lid);
+        let without = admitted.nearest::<OneByOne>(&ray, lid);
+        assert_eq!(with.map(|hit| hit.object), without.map(|hit| hit.object), "{ray:?}");
+        assert!(with.map(|hit| hit.distance) == without.map(|hit| hit.distance), "{ray:?}");
+        met += usize::from(with.is_some());
+        let t_max = S::length(0.9 * length);
+        let (with, without) = (
+            admitted.transmittance::<Everything>(&ray, t_max, lid),
+            admitted.transmittance::<OneByOne>(&ray, t_max, lid),
+        );
+        assert!(with == without, "{ray:?}");
+    }
+    met
+}
+
+#[test]
+fn single_rays_meet_the_same() {
+    for (count, spread) in [(9, 5.0), (70, 20.0), (500, 60.0), (3000, 90.0)] {
+        let scene = cloud(count, spread, 7);
+        for met in [
+            compare::<Q16>(&scene, 20_000, 1),
+            compare::<Q20>(&scene, 20_000, 2),
+            compare::<f32>(&scene, 20_000, 3),
+            compare::<f64>(&scene, 20_000, 4),
+        ] {
+            assert!(met > 5000, "only {met} rays met anything");
+        }
+    }
+}
+
+#[test]
+fn pictures_are_the_same() {
+    let mut scenes = random_scenes::all();
+    scenes.push(("juggler", shipped_scene("juggler")));
+    scenes.push(("hall-22", shipped_scene("hall-22")));
+    let mut with_one = 0;
+    for (name, scene) in scenes {
+        let exact = Exact::new(&scene, 120, 75);
+        with_one += usize::from(!exact.scene().hierarchy.is_empty());
+        let same = exact.picture::<_, Everything>(Rta, DEPTH) == exact.picture::<_, OneByOne>(Rta, DEPTH);
+        assert!(same, "{name}");
+    }
+    assert!(with_one >= 3, "only {with_one} of the scenes have a hierarchy");
+}
+
+#[test]
+fn a_hierarchy_that_is_wrong_is_refused() {
+    let scene = shipped_scene("juggler");
+    let good = narrow::<Q16>(&scene, 1.0).expect("it fits");
+    assert!(good.hierarchy.len() > 8);
+    let refused = |edit: &dyn Fn(&mut Vec<Node<Q16>>)| {
+        let mut bad = good.clone();
+        edit(&mut bad.hierarchy);
+        bad.scene().admit(&bad.camera).err()
+    };
+    assert_eq!(refused(&|_| ()), None);
+    let number = |error| matches!(error, Some(RangeError::Hierarchy(_)));
+    assert!(number(refused(&|nodes| nodes[0].radius = Q16::from_num(1))), "too small a ball");
+    assert!(number(refused(&|nodes| nodes[0].radius = Q16::from_num(20000))), "too large a ball");
+    assert!(number(refused(&|nodes| nodes[3].skip = 3)), "it leads to itself");
+    assert!(number(refused(&|nodes| nodes[3].skip = 10_000)), "it leads nowhere");
+    assert!(number(refused(&|nodes| nodes[0].end = 71)), "beyond the list");
+    assert!(number(refused(&|nodes| nodes.truncate(5))), "not complete");
+    assert!(number(refused(&|nodes| nodes[2].center.x = Q16::from_num(90))), "beside its spheres");
+}
