@@ -59,6 +59,8 @@ pub struct Pixels<'a, S: Scalar, M, N, const STACK: usize> {
     x: u32,
     y: u32,
     end: u32,
+    /// Where the rows lie: of row `y`.
+    height: S::Unit,
 }
 
 impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize> Pixels<'a, S, M, N, STACK> {
@@ -85,7 +87,8 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize> Pixels<'a,
         first: u32,
         end: u32,
     ) -> Self {
-        Self { tracer, camera, raster, x: 0, y: first, end: end.min(raster.height) }
+        let height = Raster::center(first.min(raster.height), raster.height);
+        Self { tracer, camera, raster, x: 0, y: first, end: end.min(raster.height), height }
     }
 }
 
@@ -97,12 +100,12 @@ impl<S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize> Iterator for P
             return None;
         }
         let x = Raster::center(self.x, self.raster.width);
-        let y: S::Unit = Raster::center(self.y, self.raster.height);
-        let light = self.tracer.primary(self.camera, self.camera.direction(x, -y));
+        let light = self.tracer.primary(self.camera, self.camera.direction(x, -self.height));
         self.x += 1;
         if self.x == self.raster.width {
             self.x = 0;
             self.y += 1;
+            self.height = Raster::center(self.y, self.raster.height);
         }
         Some(light)
     }

@@ -6,7 +6,7 @@
 
 use fixed::types::{I2F30, I12F20, I16F16, I24F40, I32F32};
 
-use super::integer::{self, Reciprocal, shift_right};
+use super::integer::{self, Reciprocal, shift_right, wide};
 use super::{Light, Scalar, Unit};
 use crate::range::Magnitude;
 use crate::vector::{LengthVector, Plan, UnitVector, Xyz};
@@ -42,11 +42,6 @@ fn word(value: i64) -> i32 {
 #[allow(clippy::cast_possible_truncation)] // clamped
 fn saturate(value: i64) -> i32 {
     value.clamp(-i64::from(i32::MAX), i64::from(i32::MAX)) as i32
-}
-
-/// The product of two words.
-fn wide(a: i32, b: i32) -> i64 {
-    i64::from(a) * i64::from(b)
 }
 
 /// A product with a unit, rounded to the format of the other factor.
@@ -329,7 +324,7 @@ macro_rules! fixed_point {
             }
             fn fall_off(power: Power, distance: Reciprocal) -> Radiance {
                 let (y, e) = distance.parts();
-                let square = (u64::from(y) * u64::from(y)) >> 30; // at most 2^32, of 2^(30 + 2e)
+                let square = integer::wide_unsigned(y, y) >> 30; // at most 2^32, of 2^(30 + 2e)
                 let exponent = i32::from(power.exponent) - 30 - 2 * i32::from(e) + 2 * $bits;
                 radiance(u64::from(power.mantissa) * square, exponent + LIGHT_BITS.cast_signed())
             }

@@ -7,7 +7,7 @@ use crate::range::Magnitude;
 use crate::vector::{LengthVector, Plan, UnitVector, Vector};
 
 macro_rules! float {
-    ($f:ty, $vec:ty, $sqrt:path, $floor:path, $far:expr, $size:path) => {
+    ($f:ty, $vec:ty, $sqrt:path, $int:ident, $far:expr, $size:path) => {
         impl Unit for $f {
             type Inverse = $f;
             const ZERO: Self = 0.0;
@@ -112,9 +112,16 @@ macro_rules! float {
                 self + 16.0 * <$f>::EPSILON * (distance.abs() + self)
             }
             #[cfg_attr(target_os = "none", inline(never))] // four places ask
+            #[allow(clippy::cast_possible_truncation, clippy::cast_precision_loss)] // within its digits
             fn odd_tile(self) -> bool {
-                let half = $floor(self / 3.0) * 0.5;
-                half != $floor(half)
+                let tile = self / 3.0;
+                // Beyond twice its digits a float is an even number.
+                if tile.abs() >= 4.0 / <$f>::EPSILON {
+                    return false;
+                }
+                let cut = tile as $int;
+                let floor = cut - $int::from(cut as $f > tile);
+                floor & 1 == 1
             }
             fn odd_far_tile(self, slope: Self, height: Self, fall: Self) -> bool {
                 (self + slope * (height / fall)).odd_tile()
@@ -247,9 +254,9 @@ macro_rules! float {
     };
 }
 
-float!(f32, glam::Vec3, libm::sqrtf, libm::floorf, 1e18, size32);
+float!(f32, glam::Vec3, libm::sqrtf, i32, 1e18, size32);
 #[cfg(feature = "f64")]
-float!(f64, glam::DVec3, libm::sqrt, libm::floor, 1e150, size64);
+float!(f64, glam::DVec3, libm::sqrt, i64, 1e150, size64);
 
 /// The size of a number, from its bits (IEEE 754); of one that is not finite, larger than any other.
 const fn size32(value: f32) -> Magnitude {

@@ -34,11 +34,11 @@ pub fn rsqrt(m: u32) -> u32 {
     let part = (m >> 10) & 0xffff;
     let guess = (here << 16) - (here - next) * part; // 2^30 is 1
     let first = {
-        let square = (u64::from(guess) * u64::from(guess)) >> 30; // at most 2^32
+        let square = wide_unsigned(guess, guess) >> 30; // at most 2^32
         let error = (3u64 << 30).saturating_sub((u64::from(m) * square) >> 32); // about 2^31
         ((u64::from(guess) * error) >> 31) as u32
     };
-    let square = (u64::from(first) * u64::from(first) + (1 << 29)) >> 30;
+    let square = (wide_unsigned(first, first) + (1 << 29)) >> 30;
     let error = (1i64 << 62) - (u64::from(m) * square) as i64; // 2^62 (1 - m y^2), below 2^42
     let correction = (i64::from(first) * (error >> 31)) >> 32;
     (i64::from(first) + correction) as u32
@@ -60,7 +60,7 @@ pub fn sqrt(value: u64) -> u32 {
     let m = (wide >> 32) as u32;
     let y = rsqrt(m);
     // m y is the root of the upper word; one step of Newton's iteration brings in the lower.
-    let root = ((u64::from(m) * u64::from(y)) >> 30).min(u64::from(u32::MAX)); // 2^32 is 1
+    let root = (wide_unsigned(m, y) >> 30).min(u64::from(u32::MAX)); // 2^32 is 1
     let rest = wide.wrapping_sub(root * root) as i64;
     let root = (root as i64 + (((rest >> 31) * i64::from(y)) >> 32)) as u64;
     let half = shift / 2;
@@ -100,7 +100,7 @@ impl Reciprocal {
         let m = (wide >> 32) as u32;
         let mantissa = rsqrt(m);
         let half = shift / 2;
-        let root = (u64::from(m) * u64::from(mantissa)) >> 30; // 2^32 is 1
+        let root = wide_unsigned(m, mantissa) >> 30; // 2^32 is 1
         let root = ((root + ((1 << half) >> 1)) >> half).min(u64::from(u32::MAX));
         (Self { mantissa, exponent: (32 - half) as u8 }, root as u32)
     }
@@ -113,7 +113,7 @@ impl Reciprocal {
 
     /// `2^30 factor / value`, rounded.
     pub fn times(self, factor: i32) -> i64 {
-        shift_right(i64::from(factor) * i64::from(self.mantissa), u32::from(self.exponent))
+        shift_right(wide_mixed(factor, self.mantissa), u32::from(self.exponent))
     }
 
     /// The mantissa, in [2^30, 2^31], and the exponent `e` of `mantissa / 2^(30 + e)`.
@@ -125,6 +125,51 @@ impl Reciprocal {
 /// `value / 2^shift`, rounded to the nearest, halves up; `shift < 64`.
 pub fn shift_right(value: i64, shift: u32) -> i64 {
     (value + ((1 << shift) >> 1)) >> shift
+}
+
+/// Whether products of two words are put together from halves: on ARMv6-M, the one ARM profile without compare-and-swap,
+/// which has no multiplication with a result of 64 bits either. The compiler's routine takes factors of 64 bits.
+const HALVES: bool = cfg!(all(target_arch = "arm", not(target_has_atomic = "32")));
+
+/// The product of two words.
+#[cfg_attr(all(target_arch = "arm", not(target_has_atomic = "32")), inline(never))]
+#[cfg_attr(not(all(target_arch = "arm", not(target_has_atomic = "32"))), inline(always))]
+pub(crate) fn wide(a: i32, b: i32) -> i64 {
+    if HALVES { wide_by_halves(a, b) } else { i64::from(a) * i64::from(b) }
+}
+
+/// The product of a word and a word without a sign.
+#[inline(always)]
+fn wide_mixed(a: i32, b: u32) -> i64 {
+    if !HALVES {
+        return i64::from(a) * i64::from(b);
+    }
+    // Read with a sign, a large one is 2^32 too little.
+    let missing = if b > i32::MAX.cast_unsigned() { i64::from(a) << 32 } else { 0 };
+    wide(a, b.cast_signed()) + missing
+}
+
+/// The product of two words without signs.
+#[inline(always)]
+pub(crate) fn wide_unsigned(a: u32, b: u32) -> u64 {
+    if !HALVES {
+        return u64::from(a) * u64::from(b);
+    }
+    let missing = if a > i32::MAX.cast_unsigned() { u64::from(b) << 32 } else { 0 };
+    wide_mixed(a.cast_signed(), b).cast_unsigned().wrapping_add(missing)
+}
+
+/// The product of two words by four products of half words, none of which overflows.
+#[inline(always)]
+#[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // the halves
+fn wide_by_halves(a: i32, b: i32) -> i64 {
+    let (a_high, b_high) = (a >> 16, b >> 16);
+    let (a_low, b_low) = (a as u32 & 0xffff, b as u32 & 0xffff);
+    let low = a_low * b_low;
+    let middle = a_high * b_low.cast_signed() + (low >> 16).cast_signed();
+    let other = a_low.cast_signed() * b_high + (middle & 0xffff);
+    let high = a_high * b_high + (middle >> 16) + (other >> 16);
+    (i64::from(high) << 32) | i64::from((other as u32) << 16 | low & 0xffff)
 }
 
 /// Whether `floor(value / 3)` is odd, without a division.
@@ -154,6 +199,16 @@ mod tests {
             state >> (i % 64)
         });
         ends.chain(random)
+    }
+
+    #[test]
+    #[allow(clippy::cast_possible_truncation)] // both words of it
+    fn products_by_halves() {
+        let ends = [i32::MIN, i32::MIN + 1, -65_536, -65_535, -1, 0, 1, 32_768, 65_535, 65_536, i32::MAX];
+        let all = ends.iter().flat_map(|&a| ends.map(|b| (a, b)));
+        for (a, b) in all.chain(words().map(|w| ((w >> 32) as i32, w as i32))) {
+            assert_eq!(wide_by_halves(a, b), i64::from(a) * i64::from(b), "{a} x {b}");
+        }
     }
 
     #[test]

@@ -270,20 +270,23 @@ fn drift(now: &[Footprint], (compiler, then): &(String, Vec<Footprint>), version
 
 fn print_table(rows: &[Row]) {
     println!(
-        "\n{:12} {:12} {:8} {:4} {:10} {:>9} {:>6}  hash at 160x100",
-        "board", "processor", "scene", "", "needs", "raster", "stack"
+        "\n{:12} {:12} {:8} {:4} {:10} {:>9} {:>6} {:>6} {:>8}  hash at 160x100",
+        "board", "processor", "scene", "", "needs", "raster", "stack", ".text", "a pixel"
     );
-    for Row { board, picture, hash, stack, .. } in rows {
+    for Row { board, picture, hash, stack, footprint } in rows {
         let (width, height) = picture.size;
-        let stack = stack.map_or_else(String::new, |stack| stack.to_string());
+        let word = |figure: Option<u64>| figure.map_or_else(String::new, |figure| figure.to_string());
         println!(
-            "{:12} {:12} {:8} {:4} {:10} {:>9} {stack:>6}  {hash:016x}",
+            "{:12} {:12} {:8} {:4} {:10} {:>9} {:>6} {:>6} {:>8}  {hash:016x}",
             board.name,
             board.processor,
             picture.scene,
             picture.format.to_string(),
             needs(picture),
             format!("{width}x{height}"),
+            word(*stack),
+            word(footprint.as_ref().map(|row| row.text)),
+            word(footprint.as_ref().map(|row| row.instructions)),
         );
     }
     println!();
