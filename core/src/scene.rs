@@ -99,6 +99,12 @@ impl<S: Scalar> Scene<'_, S> {
         }
     }
 
+    /// Whether the spheres are tried one after the other, four side by side: where there are lanes, and no hierarchy or
+    /// so few spheres that walking one takes longer.
+    fn is_swept<N: Needs>(&self) -> bool {
+        S::LANES && (!N::HIERARCHY || self.hierarchy.is_empty() || self.spheres.len() <= 16)
+    }
+
     /// The nearest hit of a ray, if it meets anything; cylinders end at the height `lid`.
     pub fn nearest<N: Needs>(&self, ray: &Ray<S>, lid: S) -> Option<Hit<S>> {
         let mut hit = None;
@@ -125,7 +131,7 @@ impl<S: Scalar> Scene<'_, S> {
             }
         }
         if N::SPHERES {
-            if S::LANES && (!N::HIERARCHY || self.hierarchy.is_empty()) {
+            if self.is_swept::<N>() {
                 sphere::sweep(self.spheres, ray, |i, sphere| {
                     found(sphere.intersect(ray, t_max), Object::Sphere(i), &mut t_max);
                     true
@@ -170,7 +176,7 @@ impl<S: Scalar> Scene<'_, S> {
         if N::SPHERES {
             let mut open =
                 |sphere: &Sphere<S>| sphere.intersect(ray, t_max).is_none() || shade(&sphere.material);
-            if S::LANES && (!N::HIERARCHY || self.hierarchy.is_empty()) {
+            if self.is_swept::<N>() {
                 if !sphere::sweep(self.spheres, ray, |_, sphere| open(sphere)) {
                     return S::Unit::ZERO;
                 }

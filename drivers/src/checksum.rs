@@ -13,7 +13,7 @@
 //! let screen = Checksum::new(Unseen(vga13h::CAPABILITIES));
 //! let mut painter = Painter::new(screen, Adaptive::new(256)?)?;
 //! painter.put_row(0, 0, [Rgb::new(63, 0, 0); 320])?;
-//! assert_eq!(painter.display().value(), 0x5d66_6f3a_9bcd_cb81);
+//! assert_eq!(painter.display().value(), 0x66a8_9e77_a2b2_5a97);
 //! # Ok::<(), Box<dyn core::error::Error>>(())
 //! ```
 

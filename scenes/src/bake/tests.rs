@@ -25,12 +25,12 @@ fn a_scene_needs_what_is_in_it_and_no_more() {
     for (text, without) in [
         (shipped::JUGGLER, &["ELLIPSOIDS", "CYLINDERS", "GLASS", "SEVERAL_LAMPS", "TRANSPARENT_SHADOWS"][..]),
         (shipped::HALL_22, &["GLASS", "TRANSPARENT_SHADOWS"]),
-        (shipped::GLASS_2, &["ELLIPSOIDS", "CYLINDERS"]),
+        (shipped::GLASS_2, &["HIERARCHY", "ELLIPSOIDS", "CYLINDERS"]),
     ] {
         for format in [Format::F32, Format::F64, Format::Q16, Format::Q20] {
             let source = source(&read(text), &Recipe::new(format));
             assert_eq!(needs(&source, false), without);
-            assert_eq!(needs(&source, true).len() + without.len(), 14);
+            assert_eq!(needs(&source, true).len() + without.len(), 15);
         }
     }
 }
@@ -39,7 +39,10 @@ fn a_scene_needs_what_is_in_it_and_no_more() {
 fn the_model_decides_what_is_needed() {
     let recipe = Recipe { model: Model::Whitted, ..Recipe::new(Format::Q16) };
     let mut scene = read(shipped::GLASS_2);
-    assert_eq!(needs(&source(&scene, &recipe), false), ["ELLIPSOIDS", "CYLINDERS", "ATTENUATION"]);
+    assert_eq!(
+        needs(&source(&scene, &recipe), false),
+        ["HIERARCHY", "ELLIPSOIDS", "CYLINDERS", "ATTENUATION"]
+    );
     // A shiny sphere alone: it reflects in Whitted's model only.
     scene.spheres.remove(0);
     assert!(needs(&source(&scene, &recipe), true).contains(&"MIRROR"));

@@ -7,6 +7,7 @@ use std::sync::Mutex;
 use std::time::Instant;
 
 use clap::Parser;
+use rta::engine::Format;
 use rta_core::color::Rgb;
 use rta_tests::boards::board::{ALL, Board, Output, Picture};
 use rta_tests::boards::expected::{self, Indexed};
@@ -34,12 +35,17 @@ struct Args {
     keep: Option<PathBuf>,
 }
 
+/// Primitives that the opaque scene does not have, by the names of their modules.
+const PRIMITIVES: [&str; 2] = ["cylinder", "ellipsoid"];
+
 /// A picture that came out right.
 struct Row {
     board: Board,
     picture: Picture,
     hash: u64,
     stack: Option<u64>,
+    /// Names of primitives that its functions have.
+    primitives: Vec<&'static str>,
     footprint: Option<Footprint>,
 }
 
@@ -79,6 +85,7 @@ fn run(args: &Args) -> Result<bool, Failure> {
     let (rows, failures) = work(jobs, args);
     print_table(&rows);
     let mut failures: Vec<String> = failures.iter().map(ToString::to_string).collect();
+    failures.extend(superfluous(&rows));
     let footprints: Vec<Footprint> = rows.iter().filter_map(|row| row.footprint.clone()).collect();
     let page = folder().join("FOOTPRINT.md");
     if args.write {
@@ -191,8 +198,17 @@ fn draw(
     if own != hash {
         return Err(format!("its hash is {own:016x}, not {hash:016x}").into());
     }
-    let footprint = footprint_of(&board, &picture, &outcome, &fs::read(&image)?)?;
-    Ok(Row { board, picture, hash, stack: outcome.stack, footprint })
+    let image = fs::read(&image)?;
+    let footprint = footprint_of(&board, &picture, &outcome, &image)?;
+    let mut primitives = Vec::new();
+    if footprint.is_some() {
+        for name in PRIMITIVES {
+            if elf::mentions(&image, name)? {
+                primitives.push(name);
+            }
+        }
+    }
+    Ok(Row { board, picture, hash, stack: outcome.stack, primitives, footprint })
 }
 
 fn compare(got: &Indexed, want: &Indexed) -> Result<(), Failure> {
@@ -254,6 +270,33 @@ fn footprint_of(
     Ok(Some(Footprint { key, text, rodata, ram, stack, instructions }))
 }
 
+/// What programs that hold only what the opaque scene needs have in them that they should not have.
+fn superfluous(rows: &[Row]) -> Vec<String> {
+    let of = |board: &Board, format, baked| {
+        rows.iter().find(|row| {
+            let Picture { scene, format: this, baked: own, .. } = row.picture;
+            row.board == *board && (scene, this, own) == ("opaque", format, baked)
+        })
+    };
+    let mut found = Vec::new();
+    for baked in rows.iter().filter(|row| row.picture.scene == "opaque" && row.picture.baked) {
+        let name = title(&baked.board, &baked.picture);
+        if !baked.primitives.is_empty() {
+            found.push(format!("{name}: it has functions of {}", baked.primitives.join(", ")));
+        }
+        let Some(everything) = of(&baked.board, baked.picture.format, false) else { continue };
+        if baked.picture.format == Format::Q16 && everything.primitives != PRIMITIVES {
+            found.push(format!("{name}: names of functions tell nothing, as Everything's do not"));
+        }
+        if let (Some(few), Some(all)) = (&baked.footprint, &everything.footprint)
+            && few.text * 100 > all.text * 65
+        {
+            found.push(format!("{name}: {} bytes of code, of {} with Everything", few.text, all.text));
+        }
+    }
+    found
+}
+
 fn drift(now: &[Footprint], (compiler, then): &(String, Vec<Footprint>), version: &str) -> Vec<String> {
     if compiler != version {
         println!("footprints were recorded with {compiler}: not compared with {version}");
@@ -273,7 +316,7 @@ fn print_table(rows: &[Row]) {
         "\n{:12} {:12} {:8} {:4} {:10} {:>9} {:>6} {:>6} {:>8}  hash at 160x100",
         "board", "processor", "scene", "", "needs", "raster", "stack", ".text", "a pixel"
     );
-    for Row { board, picture, hash, stack, footprint } in rows {
+    for Row { board, picture, hash, stack, footprint, .. } in rows {
         let (width, height) = picture.size;
         let word = |figure: Option<u64>| figure.map_or_else(String::new, |figure| figure.to_string());
         println!(

@@ -1,6 +1,6 @@
 //! What is in an image: sizes of its sections, and its bytes by address.
 
-use object::{Object, ObjectSection, ObjectSegment, SectionFlags, SectionKind};
+use object::{Object, ObjectSection, ObjectSegment, ObjectSymbol, SectionFlags, SectionKind, SymbolKind};
 
 use super::Failure;
 
@@ -34,6 +34,17 @@ pub fn sizes(file: &[u8]) -> Result<Sizes, Failure> {
         *total += section.size();
     }
     Ok(sizes)
+}
+
+/// Whether a function of an image has a name with `word` in it.
+///
+/// # Errors
+/// It is no ELF file.
+pub fn mentions(file: &[u8], word: &str) -> Result<bool, Failure> {
+    let elf = object::File::parse(file)?;
+    Ok(elf.symbols().any(|symbol| {
+        symbol.kind() == SymbolKind::Text && symbol.name().is_ok_and(|name| name.contains(word))
+    }))
 }
 
 /// The contents of the loadable segments as one block of memory, from the address `base` on.

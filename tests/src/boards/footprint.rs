@@ -32,7 +32,8 @@ baked scene. Written by `cargo run --release -p rta-tests --bin boards -- --writ
 a figure drifts by more than 5 %.
 
 - `.text`, `.rodata`, RAM: bytes of code, constants (the scene and a colour table of 771 bytes among them) and static variables of
-  the whole image, start-up code and the stream to the host included; built with opt-level s.
+  the whole image; built with opt-level s. Of the code, start-up, the stream to the host and the reports take about 840 bytes on the
+  Cortex-M0, 770 on the M3, 800 on the M4F and 830 on RISC-V: what an image has that only writes constant rows.
 - Stack: bytes from reset to the end of the picture, at depth 5.
 - Instructions: retired a pixel, with all that is done between the first and the last of 160 x 100. They are instructions, not
   cycles: the emulator models no pipeline and no wait states of a flash memory.
