@@ -221,8 +221,12 @@ impl<'a, S: Scalar> Scene<'a, S> {
     pub fn admit(self, camera: &Camera<S>) -> Result<Admitted<'a, S>, RangeError> {
         self.check_signs()?;
         let proof = self.prove(camera);
-        match proof.bounds.iter().find(|row| !row.holds()) {
-            Some(row) => Err(RangeError::Exceeds(*row)),
+        if let Some(row) = proof.bounds.iter().find(|row| !row.holds()) {
+            return Err(RangeError::Exceeds(*row));
+        }
+        // Only now is it known that no distance between a node and its spheres leaves the format.
+        match hierarchy::first_wrong(self.hierarchy, self.spheres, hierarchy::largest_radius()) {
+            Some(node) => Err(RangeError::Hierarchy(node)),
             None => Ok(Admitted { scene: self, limits: proof.limits }),
         }
     }
@@ -263,10 +267,6 @@ impl<'a, S: Scalar> Scene<'a, S> {
             if !(least > S::ZERO || (is_lamp && extent == S::ZERO)) {
                 return Err(RangeError::Radius(object));
             }
-        }
-        if let Some(node) = hierarchy::first_wrong(self.hierarchy, self.spheres, hierarchy::largest_radius())
-        {
-            return Err(RangeError::Hierarchy(node));
         }
         for (object, color, _) in self.surfaces() {
             if [color.r, color.g, color.b].iter().any(|&c| c < S::Unit::ZERO) {

@@ -13,6 +13,9 @@ const FEWEST: usize = 8;
 /// What looking at a node costs, in spheres.
 const NODE: f64 = 1.0;
 
+/// Longer runs than this are cut into parts of an eighth at least.
+const LONG: usize = 256;
+
 /// A box.
 #[derive(Clone, Copy)]
 struct Bounds {
@@ -117,9 +120,14 @@ fn best_cut(run: &[Sphere]) -> Option<usize> {
     }
     let whole = bounds.surface();
     let (mut bounds, mut best) = (Bounds::NONE, (None, whole * count(run.len())));
+    // Cutting a few spheres off a long list again and again would take time with the square of its length.
+    let least = if run.len() > LONG { run.len() / 8 } else { 1 };
     for (cut, sphere) in (1..run.len()).zip(run) {
         bounds = bounds.with(sphere);
         let after = run.len() - cut;
+        if cut.min(after) < least {
+            continue;
+        }
         let last = behind.get(after - 1).copied().unwrap_or(whole);
         let cost = 2.0 * NODE * whole + bounds.surface() * count(cut) + last * count(after);
         if cost < best.1 {
