@@ -6,6 +6,8 @@
 //! "Efficiency Issues for Ray Tracing", 1998). Spheres are met in the order of their list, and none is left out that
 //! the search would find: a picture is the same with the hierarchy and without.
 
+use core::marker::PhantomData;
+
 use crate::needs::Needs;
 use crate::ray::Ray;
 use crate::scalar::{Scalar, Unit};
@@ -43,7 +45,7 @@ impl<S: Scalar> Node<S> {
 }
 
 /// The spheres that a ray may meet, one after the other in the order of their list.
-pub(crate) struct Walk<'a, S: Scalar> {
+pub(crate) struct Walk<'a, S: Scalar, N> {
     nodes: &'a [Node<S>],
     spheres: &'a [Sphere<S>],
     /// The node to be looked at next.
@@ -51,19 +53,21 @@ pub(crate) struct Walk<'a, S: Scalar> {
     /// The run of the leaf that the walk is in.
     next: usize,
     end: usize,
+    needs: PhantomData<fn() -> N>,
 }
 
-impl<'a, S: Scalar> Walk<'a, S> {
+impl<'a, S: Scalar, N: Needs> Walk<'a, S, N> {
     /// Without a hierarchy the walk is in one leaf from the beginning, with all spheres.
-    pub(crate) fn new<N: Needs>(nodes: &'a [Node<S>], spheres: &'a [Sphere<S>]) -> Self {
+    pub(crate) fn new(nodes: &'a [Node<S>], spheres: &'a [Sphere<S>]) -> Self {
         let nodes = if N::HIERARCHY { nodes } else { &[] };
-        Self { nodes, spheres, node: 0, next: 0, end: if nodes.is_empty() { spheres.len() } else { 0 } }
+        let end = if nodes.is_empty() { spheres.len() } else { 0 };
+        Self { nodes, spheres, node: 0, next: 0, end, needs: PhantomData }
     }
 
     /// The next sphere that may be met nearer than `t_max`, which may shrink from call to call.
     #[inline]
     pub(crate) fn next(&mut self, ray: &Ray<S>, t_max: S) -> Option<(usize, &'a Sphere<S>)> {
-        while self.next == self.end {
+        while N::HIERARCHY && self.next == self.end {
             let node = self.nodes.get(self.node)?;
             if node.is_met(ray, t_max) {
                 self.node += 1;

@@ -137,7 +137,7 @@ impl<S: Scalar> Scene<'_, S> {
                     true
                 });
             } else {
-                let mut walk = Walk::new::<N>(self.hierarchy, self.spheres);
+                let mut walk = Walk::<S, N>::new(self.hierarchy, self.spheres);
                 while let Some((i, sphere)) = walk.next(ray, t_max) {
                     found(sphere.intersect(ray, t_max), Object::Sphere(i), &mut t_max);
                 }
@@ -181,7 +181,7 @@ impl<S: Scalar> Scene<'_, S> {
                     return S::Unit::ZERO;
                 }
             } else {
-                let mut walk = Walk::new::<N>(self.hierarchy, self.spheres);
+                let mut walk = Walk::<S, N>::new(self.hierarchy, self.spheres);
                 while let Some((_, sphere)) = walk.next(ray, t_max) {
                     if !open(sphere) {
                         return S::Unit::ZERO;

@@ -41,8 +41,8 @@ struct Pending<S: Scalar, W> {
     kind: RayKind,
 }
 
-/// The rays that one ray spawns: at most two.
-type Children<S, W> = [Option<Pending<S, W>>; 2];
+/// The rays that wait for their turn.
+type Stack<S, W, const STACK: usize> = Vec<Pending<S, W>, STACK>;
 
 impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize> Tracer<'a, S, M, N, STACK> {
     /// Bytes of the stack of pending rays: what the ray tree costs beyond one ray.
@@ -50,7 +50,7 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize> Tracer<'a,
     /// In `Q16`, `Q20` and `f32` a ray that waits takes 40 bytes with [`Rta`](crate::illumination::Rta)'s weights of three
     /// registers and 32 with [`Whitted`](crate::illumination::Whitted)'s of one; at depth 5 that is 208 and 168 bytes
     /// with the length of the stack, on a machine of 64 bits.
-    pub const STACK_BYTES: usize = size_of::<Vec<Pending<S, M::Weight>, STACK>>();
+    pub const STACK_BYTES: usize = size_of::<Stack<S, M::Weight, STACK>>();
 
     /// A tracer that follows rays through `depth` reflections and refractions: the eye's ray is depth 0, and a ray of
     /// depth `depth` spawns nothing.
@@ -84,37 +84,24 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize> Tracer<'a,
             self.model.note(RayKind::Primary);
             return self.local(&Ray::new::<N>(origin, direction)).0;
         }
-        let mut pending = Vec::<Pending<S, M::Weight>, STACK>::new();
+        let mut pending = Stack::<S, M::Weight, STACK>::new();
         let mut light = Rgb::BLACK;
         let mut next =
             Some(Pending { origin, direction, weight: M::Weight::WHOLE, depth: 0, kind: RayKind::Primary });
         while let Some(current) = next {
             self.model.note(current.kind);
             let ray = Ray::new::<N>(current.origin, current.direction);
-            let (seen, children) = self.shade(&ray, &current);
-            light = light.plus(current.weight.filter(seen));
-            next = match children {
-                [Some(first), Some(second)] => {
-                    // There is room: at most one ray waits for each level, and there are no more than STACK.
-                    let pushed = pending.push(second);
-                    debug_assert!(pushed.is_ok(), "the ray stack is one entry for each level of depth");
-                    Some(first)
+            let (own, seen) = self.local(&ray);
+            light = light.plus(current.weight.filter(own));
+            next = match seen {
+                Some((surface, extent)) if current.depth < self.depth => {
+                    self.spawn(&surface, extent, &current, &mut pending)
                 }
-                [Some(one), None] | [None, Some(one)] => Some(one),
-                [None, None] => pending.pop(),
+                _ => None,
             };
+            next = next.or_else(|| pending.pop());
         }
         light
-    }
-
-    /// What one ray brings of its own, and the rays that it spawns.
-    fn shade(&self, ray: &Ray<S>, parent: &Pending<S, M::Weight>) -> (Rgb<S::Light>, Children<S, M::Weight>) {
-        let (light, seen) = self.local(ray);
-        let children = match seen {
-            Some((surface, extent)) if parent.depth < self.depth => self.spawn(&surface, extent, parent),
-            _ => [None, None],
-        };
-        (light, children)
     }
 
     /// What one ray brings of its own, and the surface that it has met with the size of its object.
@@ -158,13 +145,14 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize> Tracer<'a,
         if part == S::Unit::ONE { light } else { light.map(|register| register.times(part)) }
     }
 
-    /// The secondary rays of a surface, the reflected one first.
+    /// The secondary rays of a surface: the transmitted one waits, the reflected one is to be followed at once.
     fn spawn(
         &self,
         surface: &Surface<S>,
         extent: S,
         parent: &Pending<S, M::Weight>,
-    ) -> Children<S, M::Weight> {
+        pending: &mut Stack<S, M::Weight, STACK>,
+    ) -> Option<Pending<S, M::Weight>> {
         let secondary = self.model.secondary(surface);
         let ray = |side, direction, weight: M::Weight, kind| {
             let weight = parent.weight.compose(weight);
@@ -174,23 +162,26 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize> Tracer<'a,
             let (origin, _) = surface.point.leave(side, direction, extent);
             Some(Pending { origin, direction, weight, depth: parent.depth + 1, kind })
         };
-        let (mut reflected, mut transmitted) = (secondary.reflected, None);
+        let mut reflected = secondary.reflected;
         if N::GLASS
             && let (Material::Transparent(glass), Some(through)) = (surface.material, secondary.transmitted)
         {
             match refract(surface, glass) {
-                Some(direction) => transmitted = Some((direction, through)),
+                Some(direction) => {
+                    if let Some(ray) = ray(-surface.normal, direction, through, RayKind::Transmitted) {
+                        // There is room: at most one ray waits for each level, and there are no more than STACK.
+                        let pushed = pending.push(ray);
+                        debug_assert!(pushed.is_ok(), "the ray stack is one entry for each level of depth");
+                    }
+                }
                 // Total internal reflection: both rays are one.
                 None => reflected = Some(reflected.map_or(through, |weight| weight.join(through))),
             }
         }
-        let reflected = reflected.and_then(|weight| {
+        reflected.and_then(|weight| {
             let direction = surface.incoming.reflect(surface.normal);
             ray(surface.normal, direction, weight, RayKind::Reflected)
-        });
-        let transmitted = transmitted
-            .and_then(|(direction, weight)| ray(-surface.normal, direction, weight, RayKind::Transmitted));
-        [reflected, transmitted]
+        })
     }
 }
 

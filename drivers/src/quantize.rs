@@ -164,30 +164,32 @@ const fn level(step: usize, side: u8, gun_max: u8) -> u8 {
     ((2 * step * max + last) / (2 * last)) as u8
 }
 
-/// The step whose level is nearest to `wanted`; the lower of two equally near.
-fn step(levels: impl Iterator<Item = u8>, wanted: u8) -> u16 {
-    let mut best = (0, u8::MAX);
-    for (step, level) in (0_u16..).zip(levels) {
-        let d = level.abs_diff(wanted);
-        if step == 0 || d < best.1 {
-            best = (step, d);
-        }
-    }
-    best.0
-}
-
 impl Uniform {
     /// The index of the entry nearest to `levels`.
     pub fn nearest(&self, levels: Rgb<u8>) -> u8 {
         // The guns are independent, so the nearest entry is the nearest level of each.
         let (green, blue) = (u16::from(self.sides.g), u16::from(self.sides.b));
-        let every =
-            |stride: u16, side: u8| self.entries.iter().step_by(usize::from(stride)).take(usize::from(side));
-        let r = step(every(green * blue, self.sides.r).map(|e| e.r), levels.r);
-        let g = step(every(blue, self.sides.g).map(|e| e.g), levels.g);
-        let b = step(every(1, self.sides.b).map(|e| e.b), levels.b);
+        let r = self.step(0, green * blue, levels.r);
+        let g = self.step(1, blue, levels.g);
+        let b = self.step(2, 1, levels.b);
         // At most 251: the index of the cube's last entry.
         ((r * green + g) * blue + b).to_le_bytes()[0]
+    }
+
+    /// The step of a gun (0 is red, 1 green, 2 blue), `stride` entries each, whose level is nearest to `wanted`; the lower
+    /// of two equally near. A gun's levels rise until they begin anew, so the search ends where they leave.
+    #[cfg_attr(target_os = "none", inline(never))] // three guns ask
+    fn step(&self, gun: usize, stride: u16, wanted: u8) -> u16 {
+        let mut best = (0, u8::MAX);
+        for (step, entry) in (0_u16..).zip(self.entries.iter().step_by(usize::from(stride))) {
+            let level = [entry.r, entry.g, entry.b].get(gun).copied().unwrap_or(0);
+            let d = level.abs_diff(wanted);
+            if step > 0 && d >= best.1 {
+                break;
+            }
+            best = (step, d);
+        }
+        best.0
     }
 
     fn cube(&self) -> &[Rgb<u8>] {

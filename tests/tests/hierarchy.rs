@@ -88,7 +88,7 @@ fn compare<S: Narrow>(scene: &Description, rays: usize, seed: u64) -> usize {
 
 #[test]
 fn single_rays_meet_the_same() {
-    for (count, spread) in [(9, 5.0), (70, 20.0), (500, 60.0), (3000, 90.0)] {
+    for (count, spread) in [(13, 5.0), (70, 20.0), (500, 60.0), (3000, 90.0)] {
         let scene = cloud(count, spread, 7);
         for met in [
             compare::<Q16>(&scene, 20_000, 1),

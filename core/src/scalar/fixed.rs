@@ -6,7 +6,7 @@
 
 use fixed::types::{I2F30, I12F20, I16F16, I24F40, I32F32};
 
-use super::integer::{self, Reciprocal, shift_right, wide};
+use super::integer::{self, Reciprocal, shift_right, shift_right_by, wide};
 use super::{Light, Scalar, Unit};
 use crate::range::Magnitude;
 use crate::vector::{LengthVector, Plan, UnitVector, Xyz};
@@ -139,7 +139,7 @@ impl Light for Radiance {
     }
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // clamped
     fn level(self, max: u8) -> u8 {
-        let scaled = shift_right(i64::from(self.0.to_bits()) * i64::from(max), LIGHT_BITS);
+        let scaled = shift_right(wide(self.0.to_bits(), i32::from(max)), LIGHT_BITS);
         scaled.clamp(0, i64::from(max)) as u8
     }
 }
@@ -353,7 +353,7 @@ macro_rules! fixed_point {
                 self.zip(direction, |f, d| {
                     // Exact, then cut to the size of the radius: 30 bits of it are left.
                     let place = wide(d.to_bits(), distance.to_bits()) - (i64::from(f.to_bits()) << UNIT_BITS);
-                    let place = shift_right(place, u32::from(e));
+                    let place = shift_right_by(place, u32::from(e));
                     I2F30::from_bits(round(place * i64::from(y)))
                 })
             }
@@ -380,7 +380,8 @@ macro_rules! fixed_point {
             fn cross_plan_over(self, plan: Plan<$f>, radius: Reciprocal) -> I2F30 {
                 let (x, y) = (self.x.to_bits(), self.y.to_bits());
                 let (mantissa, e) = radius.parts();
-                let across = shift_right(wide(x, plan.y.to_bits()) - wide(y, plan.x.to_bits()), u32::from(e));
+                let across = wide(x, plan.y.to_bits()) - wide(y, plan.x.to_bits());
+                let across = shift_right_by(across, u32::from(e));
                 let one = 1 << UNIT_BITS;
                 I2F30::from_bits(word(shift_right(across * i64::from(mantissa), UNIT_BITS).clamp(-one, one)))
             }

@@ -50,6 +50,7 @@ macro_rules! float {
             fn times(self, factor: Self) -> Self {
                 self * factor
             }
+            #[cfg_attr(target_os = "none", inline(never))] // three registers ask
             #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a float's cast saturates
             fn level(self, max: u8) -> u8 {
                 if self >= 1.0 { max } else { (self * max as $f + 0.5) as u8 }

@@ -61,7 +61,7 @@ pub fn sqrt(value: u64) -> u32 {
     let y = rsqrt(m);
     // m y is the root of the upper word; one step of Newton's iteration brings in the lower.
     let root = (wide_unsigned(m, y) >> 30).min(u64::from(u32::MAX)); // 2^32 is 1
-    let rest = wide.wrapping_sub(root * root) as i64;
+    let rest = wide.wrapping_sub(wide_unsigned(root as u32, root as u32)) as i64;
     let root = (root as i64 + (((rest >> 31) * i64::from(y)) >> 32)) as u64;
     let half = shift / 2;
     let mut root = (root + ((1 << half) >> 1)) >> half;
@@ -113,7 +113,7 @@ impl Reciprocal {
 
     /// `2^30 factor / value`, rounded.
     pub fn times(self, factor: i32) -> i64 {
-        shift_right(wide_mixed(factor, self.mantissa), u32::from(self.exponent))
+        shift_right_by(wide_mixed(factor, self.mantissa), u32::from(self.exponent))
     }
 
     /// The mantissa, in [2^30, 2^31], and the exponent `e` of `mantissa / 2^(30 + e)`.
@@ -125,6 +125,14 @@ impl Reciprocal {
 /// `value / 2^shift`, rounded to the nearest, halves up; `shift < 64`.
 pub fn shift_right(value: i64, shift: u32) -> i64 {
     (value + ((1 << shift) >> 1)) >> shift
+}
+
+/// The same by a shift that is known only when the program runs: one shift of 64 bits, which is dear on words of 32.
+pub(crate) fn shift_right_by(value: i64, shift: u32) -> i64 {
+    match shift {
+        0 => value,
+        _ => ((value >> (shift - 1)) + 1) >> 1,
+    }
 }
 
 /// Whether products of two words are put together from halves: on ARMv6-M, the one ARM profile without compare-and-swap,
@@ -208,6 +216,15 @@ mod tests {
         let all = ends.iter().flat_map(|&a| ends.map(|b| (a, b)));
         for (a, b) in all.chain(words().map(|w| ((w >> 32) as i32, w as i32))) {
             assert_eq!(wide_by_halves(a, b), i64::from(a) * i64::from(b), "{a} x {b}");
+        }
+    }
+
+    #[test]
+    fn shifts_round_alike() {
+        for value in words().map(|word| word.cast_signed() >> 2) {
+            for shift in 0..62 {
+                assert_eq!(shift_right_by(value, shift), shift_right(value, shift), "{value} >> {shift}");
+            }
         }
     }
 

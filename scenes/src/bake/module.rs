@@ -82,7 +82,7 @@ pub(super) fn write<S: Literal>(
 }
 
 fn write_needs(out: &mut impl Write, used: Used) -> fmt::Result {
-    writeln!(out, "/// What the scene needs.\n#[derive(Clone, Copy, Debug)]\npub struct Needs;\n")?;
+    writeln!(out, "/// What the scene needs.\n{ALLOW}\n#[derive(Clone, Copy, Debug)]\npub struct Needs;\n")?;
     writeln!(out, "impl ::rta_core::needs::Needs for Needs {{")?;
     for (name, value) in used.named() {
         writeln!(out, "    const {name}: bool = {value};")?;

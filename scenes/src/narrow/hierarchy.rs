@@ -9,7 +9,7 @@ use super::Narrow;
 use crate::description::Sphere;
 
 /// Fewer spheres than this are as quickly tried one after another.
-const FEWEST: usize = 8;
+const FEWEST: usize = 12;
 /// What looking at a node costs, in spheres.
 const NODE: f64 = 1.0;
 
