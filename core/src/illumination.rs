@@ -3,9 +3,11 @@
 //! A model is asked by the tracer, never the other way: it sees a [`Surface`] and one [`Incident`] lamp at a time, and
 //! says which secondary rays it wants with which [`Weight`]. Changing the model of a picture changes one type parameter.
 
+mod phong;
 mod rta;
 mod whitted;
 
+pub use phong::Phong;
 pub use rta::Rta;
 pub use whitted::Whitted;
 
@@ -74,13 +76,13 @@ pub trait Illumination<S: Scalar>: Send + Sync {
     fn ambient<N: Needs>(&self, surface: &Surface<S>, ambient: Rgb<S::Light>) -> Rgb<S::Light>;
 
     /// Whether lamps matter for this surface at all.
-    fn is_lit(&self, surface: &Surface<S>) -> bool;
+    fn is_lit<N: Needs>(&self, surface: &Surface<S>) -> bool;
 
     /// What the point sends back of one lamp that nothing hides. Where that is not dark, the tracer looks for what does.
     fn direct<N: Needs>(&self, surface: &Surface<S>, incident: &Incident<S>) -> Rgb<S::Light>;
 
     /// The secondary rays that the point wants.
-    fn secondary(&self, surface: &Surface<S>) -> Secondary<Self::Weight>;
+    fn secondary<N: Needs>(&self, surface: &Surface<S>) -> Secondary<Self::Weight>;
 
     /// Told of each ray before it is traced: for counting them. Does nothing unless a model wants it.
     #[inline]

@@ -64,7 +64,7 @@ pub use scalar::{Q16, Q20, Scalar};
 pub mod prelude {
     pub use crate::camera::{Camera, Lens};
     pub use crate::color::Rgb;
-    pub use crate::illumination::{Illumination, Rta, Whitted};
+    pub use crate::illumination::{Illumination, Phong, Rta, Whitted};
     pub use crate::light::Lamp;
     pub use crate::material::Material;
     pub use crate::needs::{Everything, Needs};

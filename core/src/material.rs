@@ -1,5 +1,6 @@
-//! Surfaces: the four types of the thesis (rta-model section 1).
+//! Surfaces: the four types of the thesis, and surfaces with coefficients of their own.
 
+use crate::needs::Needs;
 use crate::scalar::{Scalar, Unit};
 
 /// What a surface does with light.
@@ -13,6 +14,41 @@ pub enum Material<S: Scalar> {
     Mirror,
     /// Type 3: reflects one part of the light and lets another through.
     Transparent(Glass<S>),
+    /// Diffuse, specular and transparent by coefficients of its own (NFF: E. Haines, "A Proposal for Standard Graphics
+    /// Environments", IEEE CG&A 7, 1987).
+    Finish(Finish<S>),
+}
+
+/// Coefficients of a surface. They need not add up to 1.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Finish<S: Scalar> {
+    /// Diffuse coefficient, 0 or more.
+    pub kd: S::Unit,
+    /// Exponent of the highlight: the larger, the smaller.
+    pub exponent: u32,
+    /// What is reflected, highlights too, and what is transmitted, which may be nothing.
+    pub glass: Glass<S>,
+}
+
+impl<S: Scalar> Material<S> {
+    /// How light goes through, if any does.
+    pub fn glass<N: Needs>(&self) -> Option<&Glass<S>> {
+        match self {
+            Self::Transparent(glass) if N::GLASS => Some(glass),
+            Self::Finish(Finish { glass, .. }) if N::GLASS && N::FINISH && glass.kt > S::Unit::ZERO => {
+                Some(glass)
+            }
+            _ => None,
+        }
+    }
+
+    /// Coefficients of its own, if it has them.
+    pub fn finish<N: Needs>(&self) -> Option<&Finish<S>> {
+        match self {
+            Self::Finish(finish) if N::FINISH => Some(finish),
+            _ => None,
+        }
+    }
 }
 
 /// A transparent material.

@@ -15,8 +15,8 @@
 //! }
 //! ```
 
-use crate::material::Material;
-use crate::scalar::Scalar;
+use crate::material::{Finish, Material};
+use crate::scalar::{Scalar, Unit};
 use crate::scene::Scene;
 
 /// What a program must be able to draw. All of it is true unless said otherwise.
@@ -41,6 +41,8 @@ pub trait Needs: Send + Sync + 'static {
     const MIRROR: bool = true;
     /// Transmitted rays; they take [`Needs::MIRROR`] for total internal reflection.
     const GLASS: bool = true;
+    /// Surfaces with coefficients of their own.
+    const FINISH: bool = true;
     /// Lamps.
     const LAMPS: bool = true;
     /// More than one lamp; without it only the first one shines.
@@ -75,6 +77,7 @@ pub struct Used {
     pub glint: bool,
     pub mirror: bool,
     pub glass: bool,
+    pub finish: bool,
     pub lamps: bool,
     pub several_lamps: bool,
     pub attenuation: bool,
@@ -91,11 +94,20 @@ impl Used {
             let ellipsoids = scene.ellipsoids.iter().map(|e| &e.material);
             spheres.chain(ellipsoids).chain(scene.cylinders.iter().map(|c| &c.material))
         };
-        let glass = materials().any(|m| matches!(m, Material::Transparent(_)));
-        let shiny = materials().any(|m| matches!(m, Material::Shiny));
-        let mirror = glass || materials().any(|m| matches!(m, Material::Mirror)) || (specular && shiny);
+        let glass = materials().any(|m| m.glass::<Everything>().is_some());
+        let finish = |test: fn(&Finish<S>) -> bool| {
+            materials().any(|m| matches!(m, Material::Finish(finish) if test(finish)))
+        };
+        let specular_finish = finish(|finish| finish.glass.ks > S::Unit::ZERO);
+        let shiny = materials().any(|m| matches!(m, Material::Shiny)) || (specular && specular_finish);
+        let mirror = glass
+            || specular_finish
+            || materials().any(|m| matches!(m, Material::Mirror))
+            || (specular && shiny);
         let floor = scene.floor.is_some();
-        let lit = floor || materials().any(|m| specular || matches!(m, Material::Opaque | Material::Shiny));
+        let lit = floor
+            || finish(|finish| finish.kd > S::Unit::ZERO)
+            || materials().any(|m| specular || matches!(m, Material::Opaque | Material::Shiny));
         let lamps = lit && !scene.lamps.is_empty();
         Self {
             spheres: !scene.spheres.is_empty(),
@@ -108,6 +120,7 @@ impl Used {
             glint: lamps && (shiny || (specular && mirror)),
             mirror,
             glass,
+            finish: finish(|_| true),
             lamps,
             several_lamps: lamps && scene.lamps.len() > 1,
             attenuation: lamps && !specular,
@@ -129,6 +142,7 @@ impl Used {
             glint: N::GLINT,
             mirror: N::MIRROR,
             glass: N::GLASS,
+            finish: N::FINISH,
             lamps: N::LAMPS,
             several_lamps: N::SEVERAL_LAMPS,
             attenuation: N::ATTENUATION,
@@ -138,7 +152,7 @@ impl Used {
     }
 
     /// Each constant's name and value.
-    pub const fn named(self) -> [(&'static str, bool); 15] {
+    pub const fn named(self) -> [(&'static str, bool); 16] {
         [
             ("SPHERES", self.spheres),
             ("HIERARCHY", self.hierarchy),
@@ -150,6 +164,7 @@ impl Used {
             ("GLINT", self.glint),
             ("MIRROR", self.mirror),
             ("GLASS", self.glass),
+            ("FINISH", self.finish),
             ("LAMPS", self.lamps),
             ("SEVERAL_LAMPS", self.several_lamps),
             ("ATTENUATION", self.attenuation),

@@ -18,7 +18,7 @@ use core::ops::Deref;
 
 use crate::camera::Camera;
 use crate::hierarchy;
-use crate::material::Material;
+use crate::material::{Finish, Material};
 use crate::scalar::{Light, Scalar, Unit};
 use crate::scene::{Object, Scene};
 use crate::vector::{UnitVec3, Vec3, Vector};
@@ -299,6 +299,12 @@ impl<'a, S: Scalar> Scene<'a, S> {
                 Material::Mirror => weight.see(strongest, Some(object)),
                 Material::Transparent(glass) => {
                     weight.see(strongest.times(glass.ks.size()).plus(glass.kt.size()), Some(object));
+                }
+                Material::Finish(Finish { glass, .. }) => {
+                    weight.see(
+                        strongest.max(S::Unit::ONE.size()).times(glass.ks.size()).plus(glass.kt.size()),
+                        Some(object),
+                    );
                 }
                 Material::Opaque | Material::Shiny => (),
             }

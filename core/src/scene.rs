@@ -163,8 +163,8 @@ impl<S: Scalar> Scene<'_, S> {
     pub fn transmittance<N: Needs>(&self, ray: &Ray<S>, t_max: S, lid: S) -> S::Unit {
         let mut light = S::Unit::ONE;
         // The part that is left, or 0 and no need to look further.
-        let mut shade = |material: &Material<S>| match material {
-            Material::Transparent(glass) if N::GLASS && N::TRANSPARENT_SHADOWS => {
+        let mut shade = |material: &Material<S>| match material.glass::<N>() {
+            Some(glass) if N::TRANSPARENT_SHADOWS => {
                 light = light.times(glass.kt);
                 light > S::Unit::ZERO
             }

@@ -10,7 +10,7 @@ use crate::color::Rgb;
 use crate::error::Error;
 use crate::illumination::{Illumination, RayKind, Surface, Weight};
 use crate::light::Incident;
-use crate::material::{Glass, Material};
+use crate::material::Glass;
 use crate::needs::Needs;
 use crate::range::Admitted;
 use crate::ray::Ray;
@@ -115,7 +115,7 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize> Tracer<'a,
             Seen::Surface(surface, extent) => (surface, extent),
         };
         let mut light = self.model.ambient::<N>(&surface, self.scene.ambient);
-        if N::LAMPS && self.model.is_lit(&surface) {
+        if N::LAMPS && self.model.is_lit::<N>(&surface) {
             let lamps = if N::SEVERAL_LAMPS { self.scene.lamps.len() } else { 1 };
             for lamp in self.scene.lamps.iter().take(lamps) {
                 if let Some(incident) = Incident::new(lamp, surface.point, surface.normal) {
@@ -153,7 +153,7 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize> Tracer<'a,
         parent: &Pending<S, M::Weight>,
         pending: &mut Stack<S, M::Weight, STACK>,
     ) -> Option<Pending<S, M::Weight>> {
-        let secondary = self.model.secondary(surface);
+        let secondary = self.model.secondary::<N>(surface);
         let ray = |side, direction, weight: M::Weight, kind| {
             let weight = parent.weight.compose(weight);
             if weight.is_below(self.cutoff) {
@@ -164,7 +164,7 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize> Tracer<'a,
         };
         let mut reflected = secondary.reflected;
         if N::GLASS
-            && let (Material::Transparent(glass), Some(through)) = (surface.material, secondary.transmitted)
+            && let (Some(glass), Some(through)) = (surface.material.glass::<N>(), secondary.transmitted)
         {
             match refract(surface, glass) {
                 Some(direction) => {

@@ -24,7 +24,7 @@ pub fn run(args: &BakeArgs) -> Result<(), Error> {
     };
     let model = match args.model {
         Model::Rta => bake::Model::Rta,
-        Model::Whitted => bake::Model::Whitted,
+        Model::Whitted | Model::Phong => bake::Model::Whitted,
     };
     let refused = |reason: Refusal| Error::Refused {
         name: scene.source.clone(),

@@ -3,7 +3,7 @@
 use core::fmt;
 
 use rta_core::color::Rgb;
-use rta_core::illumination::{Illumination, Rta, Whitted};
+use rta_core::illumination::{Illumination, Phong, Rta, Whitted};
 use rta_core::needs::Everything;
 use rta_core::raster::{Pixels, Raster};
 use rta_core::sampling::{Sampling, Supersampled};
@@ -35,6 +35,8 @@ pub enum Model {
     Rta,
     /// Whitted 1980: lamps are not attenuated, highlights are powers of a cosine.
     Whitted,
+    /// Phong 1975 with Whitted's rays, the model of NFF: highlights are around the reflected ray.
+    Phong,
 }
 
 impl fmt::Display for Format {
@@ -53,6 +55,7 @@ impl fmt::Display for Model {
         f.write_str(match self {
             Self::Rta => "rta",
             Self::Whitted => "whitted",
+            Self::Phong => "phong",
         })
     }
 }
@@ -197,6 +200,7 @@ fn modelled<S: Narrow>(scene: &Description, settings: &Settings) -> Result<Box<d
     match settings.model {
         Model::Rta => picture::<S, _>(scene, settings, Rta),
         Model::Whitted => picture::<S, _>(scene, settings, Whitted::default()),
+        Model::Phong => picture::<S, _>(scene, settings, Phong::default()),
     }
 }
 

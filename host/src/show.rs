@@ -226,7 +226,8 @@ fn begin(
 const fn next_model(model: Model) -> Model {
     match model {
         Model::Rta => Model::Whitted,
-        Model::Whitted => Model::Rta,
+        Model::Whitted => Model::Phong,
+        Model::Phong => Model::Rta,
     }
 }
 

@@ -60,7 +60,7 @@ pub enum Model {
     /// [`rta_core::illumination::Rta`].
     #[default]
     Rta,
-    /// [`rta_core::illumination::Whitted`], where shiny things reflect, and mirrors and glass have highlights.
+    /// [`rta_core::illumination::Whitted`] or [`Phong`](rta_core::illumination::Phong), where shiny things reflect, and mirrors and glass have highlights.
     Whitted,
 }
 

@@ -81,16 +81,35 @@ pub fn read(text: &[u8], name: &str) -> Result<Description, SceneError> {
         zenith: reader.color("the colour of the zenith")?,
     };
     reader.end()?;
-    Ok(Description { camera, cylinders, ellipsoids, spheres, lamps, floor, ambient, sky })
+    Ok(Description {
+        cylinders,
+        ellipsoids,
+        spheres,
+        lamps,
+        floor,
+        ambient,
+        sky,
+        ..Description::empty(camera)
+    })
 }
 
 impl Description {
-    /// The scene as the thesis's scene file, or `None` if it has no floor, which that format cannot say.
+    /// The scene as the thesis's scene file, or `None` if that format cannot say what is in it: without a floor, with
+    /// cones, triangles or coefficients, or seen by a camera that is not held upright.
     ///
     /// [`read`] gives the same scene back, digit for digit, with the lines of the new file.
     #[must_use]
     pub fn to_dat(&self) -> Option<String> {
         let floor = self.floor.as_ref()?;
+        let cylinders = self.cylinders.iter().map(|c| &c.surface);
+        let ellipsoids = self.ellipsoids.iter().map(|e| &e.surface);
+        let mut surfaces = cylinders.chain(ellipsoids).chain(self.spheres.iter().map(|s| &s.surface));
+        let camera = Camera::upright(self.camera.eye, self.camera.view, self.camera.focal);
+        if !(self.cones.is_empty() && self.triangles.is_empty() && self.camera == camera)
+            || surfaces.any(|surface| matches!(surface, Surface::Finish { .. }))
+        {
+            return None;
+        }
         let mut text = String::new();
         write_scene(&mut text, self, floor).ok()?;
         Some(text)
@@ -147,6 +166,7 @@ impl Display for Type<'_> {
             Surface::Shiny => write!(f, "1"),
             Surface::Mirror => write!(f, "2"),
             Surface::Transparent { ks, kt, ior } => write!(f, "3  {}", Numbers(&[ks, kt, ior])),
+            Surface::Finish { .. } => Err(fmt::Error),
         }
     }
 }
@@ -214,7 +234,7 @@ impl Reader<'_> {
             return Err(self.0.error(line, column, "the direction of view (not zero)".into(), found));
         }
         let focal = self.number("the focal distance", Range::Positive)?;
-        Ok(Camera { eye, view, focal })
+        Ok(Camera::upright(eye, view, focal))
     }
 
     /// A count, then that many of `kind`. What is read knows itself as "sphere 3 of 70".

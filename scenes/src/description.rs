@@ -4,6 +4,8 @@
 //! numbers that make sense (positive radii, ks + kt = 1 and so on); whether they fit a number format is asked
 //! later, when the description becomes a scene of that format.
 
+use crate::space::unit;
+
 /// A whole scene.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Description {
@@ -15,6 +17,10 @@ pub struct Description {
     pub ellipsoids: Vec<Ellipsoid>,
     /// Spheres.
     pub spheres: Vec<Sphere>,
+    /// Cones and cylinders between two points.
+    pub cones: Vec<Cone>,
+    /// Triangles.
+    pub triangles: Vec<Triangle>,
     /// Lamps.
     pub lamps: Vec<Lamp>,
     /// The chequered floor z = 0; the thesis's files always have one.
@@ -23,9 +29,23 @@ pub struct Description {
     pub ambient: [f64; 3],
     /// What a ray sees that meets nothing.
     pub sky: Sky,
+    /// The illumination model that the scene was made for.
+    pub model: Model,
+    /// Width and height in pixels that the scene was made for, if its file says so; the pixels are square.
+    pub raster: Option<[u32; 2]>,
 }
 
-/// The pinhole camera. Its image plane is 1 unit wide.
+/// The illumination model that a scene was made for.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Model {
+    /// The thesis's, with lamps that are attenuated.
+    #[default]
+    Rta,
+    /// Phong's highlights, and lamps that are not attenuated.
+    Phong,
+}
+
+/// The pinhole camera. One side of its image plane is 1 unit long.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Camera {
     /// The observer's position.
@@ -34,22 +54,36 @@ pub struct Camera {
     pub view: [f64; 3],
     /// Distance from the eye to the image plane, above 0.
     pub focal: f64,
+    /// The side of the image plane that is 1 unit long; the other follows from the shape of the screen.
+    pub side: Side,
+    /// What is up in the picture, not along the direction of view; without it, the zenith.
+    pub up: Option<[f64; 3]>,
+}
+
+/// A side of the image plane.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Side {
+    /// From left to right.
+    #[default]
+    Width,
+    /// From bottom to top.
+    Height,
 }
 
 impl Camera {
+    /// A camera that is held upright, with an image plane 1 unit wide.
+    #[must_use]
+    pub const fn upright(eye: [f64; 3], view: [f64; 3], focal: f64) -> Self {
+        Self { eye, view, focal, side: Side::Width, up: None }
+    }
+
     /// The direction of view with length 1.
     ///
     /// It is scaled by its greatest component first, so that neither 1e300 nor 1e-300 leaves the range of `f64`.
     /// `None` if the direction is zero or not finite.
     #[must_use]
     pub fn direction(&self) -> Option<[f64; 3]> {
-        let greatest = self.view.iter().fold(0.0_f64, |most, part| most.max(part.abs()));
-        if greatest <= 0.0 || !self.view.iter().all(|part| part.is_finite()) {
-            return None;
-        }
-        let scaled = self.view.map(|part| part / greatest);
-        let length = scaled.iter().map(|part| part * part).sum::<f64>().sqrt();
-        Some(scaled.map(|part| part / length))
+        unit(self.view)
     }
 }
 
@@ -67,6 +101,19 @@ pub enum Surface {
         /// Share of the light that is reflected, 0 to 1.
         ks: f64,
         /// Share of the light that is transmitted, 0 to 1; ks + kt = 1 within 1e-6.
+        kt: f64,
+        /// Index of refraction of the inside with respect to the outside, above 0.
+        ior: f64,
+    },
+    /// With coefficients of its own.
+    Finish {
+        /// Diffuse coefficient, at least 0.
+        kd: f64,
+        /// Specular coefficient, at least 0: of highlights, and share of the light that is reflected.
+        ks: f64,
+        /// Exponent of highlights, at least 0.
+        exponent: f64,
+        /// Share of the light that is transmitted, at least 0.
         kt: f64,
         /// Index of refraction of the inside with respect to the outside, above 0.
         ior: f64,
@@ -118,6 +165,44 @@ pub struct Sphere {
     pub line: u32,
 }
 
+/// The side of a cone that is cut off between two points; a cylinder if its radii are equal.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Cone {
+    /// Centre of one end.
+    pub base: [f64; 3],
+    /// Radius there, at least 0.
+    pub base_radius: f64,
+    /// Centre of the other end.
+    pub apex: [f64; 3],
+    /// Radius there, at least 0, and not 0 where the other is.
+    pub apex_radius: f64,
+    /// Whether discs close its ends.
+    pub capped: bool,
+    /// Whether only its inside is seen.
+    pub inside_only: bool,
+    /// Linear RGB, each at least 0.
+    pub color: [f64; 3],
+    /// Its material.
+    pub surface: Surface,
+    /// Line of the source where it begins, from 1; 0 if it has none.
+    pub line: u32,
+}
+
+/// A triangle, seen from both sides. Its outside is where its vertices run counterclockwise.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Triangle {
+    /// Vertices, not on one line.
+    pub vertices: [[f64; 3]; 3],
+    /// Normals at the vertices, of any length but zero: the surface is shaded as if it were curved.
+    pub normals: Option<[[f64; 3]; 3]>,
+    /// Linear RGB, each at least 0.
+    pub color: [f64; 3],
+    /// Its material.
+    pub surface: Surface,
+    /// Line of the source where it begins, from 1; 0 if it has none.
+    pub line: u32,
+}
+
 /// A spherical lamp.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Lamp {
@@ -148,12 +233,33 @@ pub struct Sky {
 }
 
 impl Description {
+    /// Nothing, in the dark.
+    #[must_use]
+    pub const fn empty(camera: Camera) -> Self {
+        Self {
+            camera,
+            cylinders: Vec::new(),
+            ellipsoids: Vec::new(),
+            spheres: Vec::new(),
+            cones: Vec::new(),
+            triangles: Vec::new(),
+            lamps: Vec::new(),
+            floor: None,
+            ambient: [0.0; 3],
+            sky: Sky { horizon: [0.0; 3], zenith: [0.0; 3] },
+            model: Model::Rta,
+            raster: None,
+        }
+    }
+
     /// The same scene with every `line` set to 0: two files say the same if these are equal.
     #[must_use]
     pub fn without_lines(mut self) -> Self {
         self.cylinders.iter_mut().for_each(|cylinder| cylinder.line = 0);
         self.ellipsoids.iter_mut().for_each(|ellipsoid| ellipsoid.line = 0);
         self.spheres.iter_mut().for_each(|sphere| sphere.line = 0);
+        self.cones.iter_mut().for_each(|cone| cone.line = 0);
+        self.triangles.iter_mut().for_each(|triangle| triangle.line = 0);
         self.lamps.iter_mut().for_each(|lamp| lamp.line = 0);
         self
     }
@@ -164,7 +270,7 @@ mod tests {
     use super::Camera;
 
     fn direction(view: [f64; 3]) -> Option<[f64; 3]> {
-        Camera { eye: [0.0; 3], view, focal: 1.0 }.direction()
+        Camera::upright([0.0; 3], view, 1.0).direction()
     }
 
     #[test]

@@ -23,6 +23,7 @@ pub mod description;
 pub mod error;
 pub mod narrow;
 pub mod shipped;
+mod space;
 mod tokens;
 
 pub use bake::bake;

@@ -7,12 +7,13 @@ use rta_core::camera::{Camera, Lens};
 use rta_core::color::Rgb;
 use rta_core::hierarchy::Node;
 use rta_core::light::Lamp;
-use rta_core::material::{Glass, Material};
+use rta_core::material::{Finish, Glass, Material};
 use rta_core::scene::{Scene, Sky};
 use rta_core::shape::{Cylinder, Ellipsoid, Floor, Sphere};
 use rta_core::vector::{Vec3, Vector};
 
-use crate::description::{self, Description, Surface};
+use crate::description::{self, Description, Side, Surface};
+use crate::space::{cross, unit};
 
 mod formats;
 mod hierarchy;
@@ -160,6 +161,24 @@ impl<S: Narrow> Checker<S> {
         Ok(Rgb::new(r, g, b))
     }
 
+    fn material(&self, surface: &Surface) -> Result<Material<S>, NarrowError> {
+        Ok(match *surface {
+            Surface::Opaque => Material::Opaque,
+            Surface::Shiny => Material::Shiny,
+            Surface::Mirror => Material::Mirror,
+            Surface::Transparent { ks, kt, ior } => Material::Transparent(glass::<S>(ks, kt, ior)),
+            Surface::Finish { kd, ks, exponent, kt, ior } => {
+                for coefficient in [kd, ks, kt] {
+                    self.at_most("a coefficient", coefficient, S::LARGEST_COLOR)?;
+                }
+                // What is sharper than that is a point in every format.
+                #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // clamped
+                let exponent = exponent.round().clamp(0.0, 1e9) as u32;
+                Material::Finish(Finish { kd: S::unit(kd), exponent, glass: glass::<S>(ks, kt, ior) })
+            }
+        })
+    }
+
     fn light(&self, color: [f64; 3]) -> Result<Rgb<S::Light>, NarrowError> {
         for register in color {
             self.at_most("a register", register, S::LARGEST_LIGHT)?;
@@ -169,31 +188,32 @@ impl<S: Narrow> Checker<S> {
     }
 }
 
-fn material<S: Narrow>(surface: &Surface) -> Material<S> {
-    match *surface {
-        Surface::Opaque => Material::Opaque,
-        Surface::Shiny => Material::Shiny,
-        Surface::Mirror => Material::Mirror,
-        Surface::Transparent { ks, kt, ior } => Material::Transparent(Glass {
-            ks: S::unit(ks),
-            kt: S::unit(kt),
-            eta: S::unit(if ior > 1.0 { 1.0 / ior } else { ior }),
-            denser: ior >= 1.0,
-        }),
-    }
+fn glass<S: Narrow>(ks: f64, kt: f64, ior: f64) -> Glass<S> {
+    let eta = if ior > 1.0 { 1.0 / ior } else { ior };
+    Glass { ks: S::unit(ks), kt: S::unit(kt), eta: S::unit(eta), denser: ior >= 1.0 }
 }
 
 fn camera<S: Narrow>(camera: &description::Camera, aspect: f64) -> Result<Camera<S>, NarrowError> {
     let eye = Checker::<S>::named("the observer").place(camera.eye, 0.0)?;
-    let [x, y, z] = camera.direction().unwrap_or([0.0, 1.0, 0.0]).map(S::unit);
-    let (width, height) = (1.0, 1.0 / aspect);
-    let largest = camera.focal.max(width).max(height);
-    let lens = Lens {
-        focal: S::unit(camera.focal / largest),
-        width: S::unit(width / largest),
-        height: S::unit(height / largest),
+    let forward = camera.direction().unwrap_or([0.0, 1.0, 0.0]);
+    let (width, height) = match camera.side {
+        Side::Width => (1.0, 1.0 / aspect),
+        Side::Height => (aspect, 1.0),
     };
-    Ok(Camera::new(eye, Vector::new(x, y, z), lens))
+    let largest = camera.focal.max(width).max(height);
+    let lens = [camera.focal, width, height].map(|side| side / largest);
+    let vector = |v: [f64; 3], length: f64| {
+        let [x, y, z] = v.map(|c| S::unit(c * length));
+        Vector::new(x, y, z)
+    };
+    let [focal, width, height] = lens;
+    if let Some(right) = camera.up.and_then(|up| unit(cross(forward, up))) {
+        let up = cross(right, forward);
+        let (forward, right, up) = (vector(forward, focal), vector(right, width), vector(up, height));
+        return Ok(Camera { eye, forward, right, up });
+    }
+    let [focal, width, height] = lens.map(S::unit);
+    Ok(Camera::new(eye, vector(forward, 1.0), Lens { focal, width, height }))
 }
 
 fn lamp<S: Narrow>(index: usize, lamp: &description::Lamp) -> Result<Lamp<S>, NarrowError> {
@@ -221,7 +241,7 @@ pub fn narrow<S: Narrow>(description: &Description, aspect: f64) -> Result<Narro
             place,
             radius,
             check.color("a colour's register", c.color)?,
-            material(&c.surface),
+            check.material(&c.surface)?,
         ));
     }
     let mut ellipsoids = Vec::with_capacity(description.ellipsoids.len());
@@ -232,7 +252,7 @@ pub fn narrow<S: Narrow>(description: &Description, aspect: f64) -> Result<Narro
         let [x, y, z] = e.radii;
         let radii = Vector::new(check.radius(x)?, check.radius(y)?, check.radius(z)?);
         let color = check.color("a colour's register", e.color)?;
-        let mut ellipsoid = Ellipsoid::new(place, radii, color, material(&e.surface));
+        let mut ellipsoid = Ellipsoid::new(place, radii, color, check.material(&e.surface)?);
         // The ratios once more, from the numbers of the file: a thin radius has few digits in the format.
         let thinnest = x.min(y).min(z);
         let [a, b, c] = e.radii.map(|radius| S::unit(thinnest / radius));
@@ -248,7 +268,7 @@ pub fn narrow<S: Narrow>(description: &Description, aspect: f64) -> Result<Narro
             place,
             radius,
             check.color("a colour's register", s.color)?,
-            material(&s.surface),
+            check.material(&s.surface)?,
         ));
     }
     let lamps: Result<Vec<_>, _> = description.lamps.iter().enumerate().map(|(i, l)| lamp(i, l)).collect();

@@ -271,10 +271,6 @@ fn inside_an_ellipsoid() -> Description {
 /// An empty floor with a sky and two lamps, seen from `eye`.
 fn ground(eye: [f64; 3], view: [f64; 3]) -> Description {
     Description {
-        camera: Camera { eye, view, focal: 1.0 },
-        cylinders: Vec::new(),
-        ellipsoids: Vec::new(),
-        spheres: Vec::new(),
         lamps: vec![
             lamp([-9.0, -14.0, 13.0], [180.0, 175.0, 160.0], 0.8),
             lamp([10.0, -6.0, 9.0], [40.0, 45.0, 60.0], 0.5),
@@ -282,6 +278,7 @@ fn ground(eye: [f64; 3], view: [f64; 3]) -> Description {
         floor: Some(Floor { colors: [[0.85, 0.8, 0.7], [0.2, 0.25, 0.35]] }),
         ambient: [0.3, 0.3, 0.32],
         sky: Sky { horizon: [0.75, 0.8, 0.9], zenith: [0.15, 0.3, 0.65] },
+        ..Description::empty(Camera::upright(eye, view, 1.0))
     }
 }
 

@@ -256,7 +256,7 @@ impl Illumination<f64> for Absorbing {
         Rgb::BLACK
     }
 
-    fn is_lit(&self, _: &Surface<f64>) -> bool {
+    fn is_lit<N: Needs>(&self, _: &Surface<f64>) -> bool {
         false
     }
 
@@ -264,7 +264,7 @@ impl Illumination<f64> for Absorbing {
         Rgb::BLACK
     }
 
-    fn secondary(&self, surface: &Surface<f64>) -> Secondary<Rgb<f64>> {
+    fn secondary<N: Needs>(&self, surface: &Surface<f64>) -> Secondary<Rgb<f64>> {
         let Material::Transparent(glass) = surface.material else { return Secondary::NONE };
         let left = |a: f64| if surface.inside { (-a * surface.distance).exp() } else { 1.0 };
         let [r, g, b] = self.absorption.map(left);
@@ -348,7 +348,7 @@ impl Illumination<f64> for Translucent {
         Rgb::BLACK
     }
 
-    fn is_lit(&self, _: &Surface<f64>) -> bool {
+    fn is_lit<N: Needs>(&self, _: &Surface<f64>) -> bool {
         true
     }
 
@@ -359,7 +359,7 @@ impl Illumination<f64> for Translucent {
         side.zip(surface.color, |part, color| part * color * light)
     }
 
-    fn secondary(&self, _: &Surface<f64>) -> Secondary<f64> {
+    fn secondary<N: Needs>(&self, _: &Surface<f64>) -> Secondary<f64> {
         Secondary::NONE
     }
 }
@@ -374,16 +374,16 @@ impl Illumination<f64> for OneSided {
         Translucent.ambient::<N>(s, a)
     }
 
-    fn is_lit(&self, surface: &Surface<f64>) -> bool {
-        Translucent.is_lit(surface)
+    fn is_lit<N: Needs>(&self, surface: &Surface<f64>) -> bool {
+        Translucent.is_lit::<N>(surface)
     }
 
     fn direct<N: Needs>(&self, surface: &Surface<f64>, incident: &Incident<f64>) -> Rgb<f64> {
         Translucent.direct::<N>(surface, incident)
     }
 
-    fn secondary(&self, surface: &Surface<f64>) -> Secondary<f64> {
-        Translucent.secondary(surface)
+    fn secondary<N: Needs>(&self, surface: &Surface<f64>) -> Secondary<f64> {
+        Translucent.secondary::<N>(surface)
     }
 }
 

@@ -39,7 +39,7 @@ fn camera() -> impl Strategy<Value = Camera> {
         1 => Just([0.0, 0.0, -1.0]),
         1 => Just([0.0, 1.0, 0.0]),
     ];
-    (point(), view, 0.1..=10.0).prop_map(|(eye, view, focal)| Camera { eye, view, focal })
+    (point(), view, 0.1..=10.0).prop_map(|(eye, view, focal)| Camera::upright(eye, view, focal))
 }
 
 fn lamp() -> impl Strategy<Value = Lamp> {
@@ -75,7 +75,6 @@ fn scene() -> impl Strategy<Value = Description> {
         sky,
     )
         .prop_map(|(camera, cylinders, ellipsoids, spheres, lamps, floor, ambient, sky)| Description {
-            camera,
             cylinders,
             ellipsoids,
             spheres,
@@ -83,6 +82,7 @@ fn scene() -> impl Strategy<Value = Description> {
             floor,
             ambient,
             sky,
+            ..Description::empty(camera)
         })
 }
 

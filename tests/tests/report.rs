@@ -224,14 +224,14 @@ impl<S: Scalar> Illumination<S> for Counting<'_> {
     fn ambient<N: Needs>(&self, surface: &Surface<S>, ambient: Rgb<S::Light>) -> Rgb<S::Light> {
         Rta.ambient::<N>(surface, ambient)
     }
-    fn is_lit(&self, surface: &Surface<S>) -> bool {
-        Illumination::<S>::is_lit(&Rta, surface)
+    fn is_lit<N: Needs>(&self, surface: &Surface<S>) -> bool {
+        Illumination::<S>::is_lit::<N>(&Rta, surface)
     }
     fn direct<N: Needs>(&self, surface: &Surface<S>, incident: &Incident<S>) -> Rgb<S::Light> {
         Rta.direct::<N>(surface, incident)
     }
-    fn secondary(&self, surface: &Surface<S>) -> Secondary<Self::Weight> {
-        Rta.secondary(surface)
+    fn secondary<N: Needs>(&self, surface: &Surface<S>) -> Secondary<Self::Weight> {
+        Rta.secondary::<N>(surface)
     }
     fn note(&self, kind: RayKind) {
         let kinds = [RayKind::Primary, RayKind::Reflected, RayKind::Transmitted, RayKind::Shadow];

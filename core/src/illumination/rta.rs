@@ -3,7 +3,7 @@
 use super::{Illumination, Secondary, Surface};
 use crate::color::Rgb;
 use crate::light::Incident;
-use crate::material::Material;
+use crate::material::{Finish, Material};
 use crate::needs::Needs;
 use crate::scalar::{Light, Scalar, Unit};
 use crate::vector::{UnitVector, Vector};
@@ -28,19 +28,21 @@ impl<S: Scalar> Illumination<S> for Rta {
     type Weight = Rgb<S::Unit>;
 
     fn ambient<N: Needs>(&self, surface: &Surface<S>, ambient: Rgb<S::Light>) -> Rgb<S::Light> {
-        if !Illumination::<S>::is_lit(self, surface) {
+        if !Illumination::<S>::is_lit::<N>(self, surface) {
             return Rgb::BLACK;
         }
+        let color = diffuse::<S, N>(surface);
         let (base, slope) = (
             S::Unit::ratio(AMBIENT_BASE.0, AMBIENT_BASE.1),
             S::Unit::ratio(AMBIENT_SLOPE.0, AMBIENT_SLOPE.1),
         );
         let factor = surface.normal.z().times(slope) + base;
-        ambient.zip(surface.color, |light, color| light.times(color.times(factor)))
+        ambient.zip(color, |light, color| light.times(color.times(factor)))
     }
 
-    fn is_lit(&self, surface: &Surface<S>) -> bool {
+    fn is_lit<N: Needs>(&self, surface: &Surface<S>) -> bool {
         matches!(surface.material, Material::Opaque | Material::Shiny)
+            || surface.material.finish::<N>().is_some_and(|finish| finish.kd > S::Unit::ZERO)
     }
 
     fn direct<N: Needs>(&self, surface: &Surface<S>, incident: &Incident<S>) -> Rgb<S::Light> {
@@ -54,17 +56,32 @@ impl<S: Scalar> Illumination<S> for Rta {
         }
         let light = if N::ATTENUATION { incident.irradiance() } else { incident.intensity() };
         let light = light.times(incident.cosine);
-        surface.color.zip(tint, |color, part| light.times(color.times(part)))
+        diffuse::<S, N>(surface).zip(tint, |color, part| light.times(color.times(part)))
     }
 
-    fn secondary(&self, surface: &Surface<S>) -> Secondary<Rgb<S::Unit>> {
+    fn secondary<N: Needs>(&self, surface: &Surface<S>) -> Secondary<Rgb<S::Unit>> {
+        let white = |part| Rgb::new(part, part, part);
+        if let Some(Finish { glass, .. }) = surface.material.finish::<N>() {
+            return Secondary {
+                reflected: (glass.ks > S::Unit::ZERO).then(|| surface.color.map(|c| c.times(glass.ks))),
+                transmitted: surface.material.glass::<N>().map(|glass| white(glass.kt)),
+            };
+        }
         match surface.material {
-            Material::Opaque | Material::Shiny => Secondary::NONE,
             Material::Mirror => Secondary { reflected: Some(surface.color), transmitted: None },
             Material::Transparent(glass) => Secondary {
                 reflected: Some(surface.color.map(|c| c.times(glass.ks))),
-                transmitted: Some(Rgb::new(glass.kt, glass.kt, glass.kt)),
+                transmitted: Some(white(glass.kt)),
             },
+            _ => Secondary::NONE,
         }
+    }
+}
+
+/// kd C: of the thesis's types it is the colour.
+fn diffuse<S: Scalar, N: Needs>(surface: &Surface<S>) -> Rgb<S::Unit> {
+    match surface.material.finish::<N>() {
+        Some(finish) => surface.color.map(|c| c.times(finish.kd)),
+        None => surface.color,
     }
 }

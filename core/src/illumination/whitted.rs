@@ -19,6 +19,7 @@ use crate::vector::UnitVector;
 /// | shiny | `ka` | 1 - `shine` | `shine` | 0 |
 /// | mirror | 0 | 0 | 1 | 0 |
 /// | transparent | 0 | 0 | ks of the scene | kt of the scene |
+/// | a finish of its own | `ka` kd | its kd | its ks | its kt |
 #[derive(Clone, Copy, Debug)]
 pub struct Whitted<S: Scalar> {
     /// Ambient coefficient of diffuse surfaces, 0 to 1.
@@ -37,46 +38,36 @@ impl<S: Scalar> Default for Whitted<S> {
 }
 
 impl<S: Scalar> Whitted<S> {
-    /// kd and ks.
-    fn coefficients(&self, material: &Material<S>) -> (S::Unit, S::Unit) {
+    /// kd, ks and the exponent of highlights.
+    pub(super) fn coefficients<N: Needs>(&self, material: &Material<S>) -> (S::Unit, S::Unit, u32) {
         let (zero, one) = (S::Unit::ZERO, S::Unit::ONE);
-        match material {
-            Material::Opaque => (one, zero),
+        if let Some(finish) = material.finish::<N>() {
+            return (finish.kd, finish.glass.ks, finish.exponent);
+        }
+        let (kd, ks) = match material {
             Material::Shiny => (one - self.shine, self.shine),
             Material::Mirror => (zero, one),
             Material::Transparent(glass) => (zero, glass.ks),
-        }
-    }
-}
-
-impl<S: Scalar> Illumination<S> for Whitted<S> {
-    type Weight = S::Unit;
-
-    fn ambient<N: Needs>(&self, surface: &Surface<S>, ambient: Rgb<S::Light>) -> Rgb<S::Light> {
-        match surface.material {
-            Material::Opaque | Material::Shiny => {
-                ambient.zip(surface.color, |light, color| light.times(color.times(self.ka)))
-            }
-            Material::Mirror | Material::Transparent(_) => {
-                Rgb::new(S::Light::ZERO, S::Light::ZERO, S::Light::ZERO)
-            }
-        }
+            _ => (one, zero),
+        };
+        (kd, ks, self.exponent)
     }
 
-    fn is_lit(&self, _surface: &Surface<S>) -> bool {
-        true
-    }
-
-    fn direct<N: Needs>(&self, surface: &Surface<S>, incident: &Incident<S>) -> Rgb<S::Light> {
-        let (kd, ks) = self.coefficients(surface.material);
+    /// What the point sends back of one lamp, where a highlight is a power of the cosine `highlight`.
+    pub(super) fn lit<N: Needs>(
+        &self,
+        surface: &Surface<S>,
+        incident: &Incident<S>,
+        highlight: impl FnOnce() -> S::Unit,
+    ) -> Rgb<S::Light> {
+        let (kd, ks, exponent) = self.coefficients::<N>(surface.material);
         let intensity = incident.intensity();
         let intensity = if intensity > S::Light::WHITE { S::Light::WHITE } else { intensity };
         let diffuse = kd.times(incident.cosine);
         let specular = if N::GLINT && ks > S::Unit::ZERO {
-            let halfway = incident.direction.halfway(-surface.incoming);
-            let cosine = halfway.map_or(S::Unit::ZERO, |h| surface.normal.dot(h));
+            let cosine = highlight();
             let cosine = if cosine < S::Unit::ZERO { S::Unit::ZERO } else { cosine };
-            ks.times(cosine.power(self.exponent))
+            ks.times(cosine.power(exponent))
         } else {
             S::Unit::ZERO
         };
@@ -85,15 +76,38 @@ impl<S: Scalar> Illumination<S> for Whitted<S> {
             light.times(color.times(diffuse)).plus(light.times(specular))
         })
     }
+}
 
-    fn secondary(&self, surface: &Surface<S>) -> Secondary<S::Unit> {
-        let (_, ks) = self.coefficients(surface.material);
+impl<S: Scalar> Illumination<S> for Whitted<S> {
+    type Weight = S::Unit;
+
+    fn ambient<N: Needs>(&self, surface: &Surface<S>, ambient: Rgb<S::Light>) -> Rgb<S::Light> {
+        let part = match surface.material {
+            Material::Opaque | Material::Shiny => self.ka,
+            material => match material.finish::<N>() {
+                Some(finish) => self.ka.times(finish.kd),
+                None => return Rgb::BLACK,
+            },
+        };
+        ambient.zip(surface.color, |light, color| light.times(color.times(part)))
+    }
+
+    fn is_lit<N: Needs>(&self, _surface: &Surface<S>) -> bool {
+        true
+    }
+
+    fn direct<N: Needs>(&self, surface: &Surface<S>, incident: &Incident<S>) -> Rgb<S::Light> {
+        self.lit::<N>(surface, incident, || {
+            let halfway = incident.direction.halfway(-surface.incoming);
+            halfway.map_or(S::Unit::ZERO, |h| surface.normal.dot(h))
+        })
+    }
+
+    fn secondary<N: Needs>(&self, surface: &Surface<S>) -> Secondary<S::Unit> {
+        let (_, ks, _) = self.coefficients::<N>(surface.material);
         Secondary {
             reflected: (ks > S::Unit::ZERO).then_some(ks),
-            transmitted: match surface.material {
-                Material::Transparent(glass) => Some(glass.kt),
-                _ => None,
-            },
+            transmitted: surface.material.glass::<N>().map(|glass| glass.kt),
         }
     }
 }

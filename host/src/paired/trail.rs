@@ -9,7 +9,7 @@ use std::sync::Mutex;
 
 use rayon::prelude::*;
 use rta_core::color::Rgb;
-use rta_core::illumination::{Illumination, RayKind, Rta, Whitted};
+use rta_core::illumination::{Illumination, Phong, RayKind, Rta, Whitted};
 use rta_core::needs::Needs;
 use rta_core::raster::{Pixels, Raster};
 use rta_core::scene::Object;
@@ -202,6 +202,7 @@ fn modelled<S: Readable>(
     match settings.model {
         Model::Rta => watched::<S, _>(scene, settings, window, Rta),
         Model::Whitted => watched::<S, _>(scene, settings, window, Whitted::default()),
+        Model::Phong => watched::<S, _>(scene, settings, window, Phong::default()),
     }
 }
 

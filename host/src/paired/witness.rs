@@ -106,7 +106,7 @@ impl<S: Readable, M: Illumination<S>> Illumination<S> for Witness<'_, S, M> {
     }
 
     fn ambient<N: Needs>(&self, surface: &Surface<S>, ambient: Rgb<S::Light>) -> Rgb<S::Light> {
-        let lamps = if self.model.is_lit(surface) { self.scene.lamps.len() } else { 0 };
+        let lamps = if self.model.is_lit::<N>(surface) { self.scene.lamps.len() } else { 0 };
         if let Some(step) = lock(self.notes).trail.steps.last_mut() {
             step.met = self.object(surface);
             step.distance = Some(surface.distance.value());
@@ -116,8 +116,8 @@ impl<S: Readable, M: Illumination<S>> Illumination<S> for Witness<'_, S, M> {
         self.model.ambient::<N>(surface, ambient)
     }
 
-    fn is_lit(&self, surface: &Surface<S>) -> bool {
-        self.model.is_lit(surface)
+    fn is_lit<N: Needs>(&self, surface: &Surface<S>) -> bool {
+        self.model.is_lit::<N>(surface)
     }
 
     fn direct<N: Needs>(&self, surface: &Surface<S>, incident: &Incident<S>) -> Rgb<S::Light> {
@@ -144,8 +144,8 @@ impl<S: Readable, M: Illumination<S>> Illumination<S> for Witness<'_, S, M> {
         }
     }
 
-    fn secondary(&self, surface: &Surface<S>) -> Secondary<M::Weight> {
-        let secondary = self.model.secondary(surface);
+    fn secondary<N: Needs>(&self, surface: &Surface<S>) -> Secondary<M::Weight> {
+        let secondary = self.model.secondary::<N>(surface);
         let through = match (surface.material, secondary.transmitted) {
             (Material::Transparent(glass), Some(_)) => Some(log::pause(|| refract(surface, glass)).is_some()),
             _ => None,

@@ -154,16 +154,16 @@ impl<S: Scalar, M: Illumination<S>> Illumination<S> for Tap<M> {
         self.0.ambient::<N>(surface, ambient)
     }
 
-    fn is_lit(&self, surface: &Surface<S>) -> bool {
-        self.0.is_lit(surface)
+    fn is_lit<N: Needs>(&self, surface: &Surface<S>) -> bool {
+        self.0.is_lit::<N>(surface)
     }
 
     fn direct<N: Needs>(&self, surface: &Surface<S>, incident: &Incident<S>) -> Rgb<S::Light> {
         self.0.direct::<N>(surface, incident)
     }
 
-    fn secondary(&self, surface: &Surface<S>) -> Secondary<Self::Weight> {
-        let Secondary { reflected, transmitted } = self.0.secondary(surface);
+    fn secondary<N: Needs>(&self, surface: &Surface<S>) -> Secondary<Self::Weight> {
+        let Secondary { reflected, transmitted } = self.0.secondary::<N>(surface);
         Secondary {
             reflected: reflected.map(Tapped::secondary),
             transmitted: transmitted.map(Tapped::secondary),

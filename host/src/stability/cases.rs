@@ -32,14 +32,9 @@ const fn glass(ior: f64) -> Surface {
 /// A sky and nothing else, seen from `eye`.
 fn empty(eye: Triple, view: Triple) -> Description {
     Description {
-        camera: Camera { eye, view, focal: 1.0 },
-        cylinders: Vec::new(),
-        ellipsoids: Vec::new(),
-        spheres: Vec::new(),
-        lamps: Vec::new(),
-        floor: None,
         ambient: [0.2, 0.2, 0.25],
         sky: Sky { horizon: [0.8, 0.85, 0.95], zenith: [0.15, 0.3, 0.65] },
+        ..Description::empty(Camera::upright(eye, view, 1.0))
     }
 }
 

@@ -223,14 +223,14 @@ impl<S: Scalar, M: Illumination<S>> Illumination<S> for Counting<'_, M> {
     fn ambient<N: Needs>(&self, surface: &Surface<S>, ambient: Rgb<S::Light>) -> Rgb<S::Light> {
         self.model.ambient::<N>(surface, ambient)
     }
-    fn is_lit(&self, surface: &Surface<S>) -> bool {
-        self.model.is_lit(surface)
+    fn is_lit<N: Needs>(&self, surface: &Surface<S>) -> bool {
+        self.model.is_lit::<N>(surface)
     }
     fn direct<N: Needs>(&self, surface: &Surface<S>, incident: &Incident<S>) -> Rgb<S::Light> {
         self.model.direct::<N>(surface, incident)
     }
-    fn secondary(&self, surface: &Surface<S>) -> Secondary<Self::Weight> {
-        self.model.secondary(surface)
+    fn secondary<N: Needs>(&self, surface: &Surface<S>) -> Secondary<Self::Weight> {
+        self.model.secondary::<N>(surface)
     }
     fn note(&self, _kind: RayKind) {
         self.rays.fetch_add(1, Ordering::Relaxed);

@@ -3,7 +3,7 @@
 use core::fmt::{self, Write};
 
 use rta_core::color::Rgb;
-use rta_core::material::Material;
+use rta_core::material::{Finish, Glass, Material};
 use rta_core::needs::Used;
 use rta_core::range::Limits;
 use rta_core::vector::{UnitVec3, Vec3, Vector};
@@ -95,7 +95,7 @@ fn write_names(out: &mut impl Write, constructors: &str) -> fmt::Result {
     out.write_str(
         "    use ::rta_core::Scalar;
     use ::rta_core::color::Rgb;
-    use ::rta_core::material::{Glass, Material};
+    use ::rta_core::material::{Finish, Glass, Material};
     type Unit = <Number as Scalar>::Unit;
     type Light = <Number as Scalar>::Light;
     type Place = <Number as Scalar>::Vector;
@@ -200,12 +200,16 @@ fn material<S: Literal>(material: &Material<S>) -> String {
         Material::Opaque => "Material::Opaque".into(),
         Material::Shiny => "Material::Shiny".into(),
         Material::Mirror => "Material::Mirror".into(),
-        Material::Transparent(glass) => format!(
-            "Material::Transparent(Glass {{ ks: {}, kt: {}, eta: {}, denser: {} }})",
-            unit::<S>(glass.ks),
-            unit::<S>(glass.kt),
-            unit::<S>(glass.eta),
-            glass.denser
+        Material::Transparent(glass) => format!("Material::Transparent({})", self::glass(glass)),
+        Material::Finish(Finish { kd, exponent, glass }) => format!(
+            "Material::Finish(Finish {{ kd: {}, exponent: {exponent}, glass: {} }})",
+            unit::<S>(*kd),
+            self::glass(glass)
         ),
     }
+}
+
+fn glass<S: Literal>(glass: &Glass<S>) -> String {
+    let [ks, kt, eta] = [glass.ks, glass.kt, glass.eta].map(unit::<S>);
+    format!("Glass {{ ks: {ks}, kt: {kt}, eta: {eta}, denser: {} }}", glass.denser)
 }

@@ -23,14 +23,17 @@ fn needs(source: &str, value: bool) -> Vec<&str> {
 #[test]
 fn a_scene_needs_what_is_in_it_and_no_more() {
     for (text, without) in [
-        (shipped::JUGGLER, &["ELLIPSOIDS", "CYLINDERS", "GLASS", "SEVERAL_LAMPS", "TRANSPARENT_SHADOWS"][..]),
-        (shipped::HALL_22, &["HIERARCHY", "GLASS", "TRANSPARENT_SHADOWS"]),
-        (shipped::GLASS_2, &["HIERARCHY", "ELLIPSOIDS", "CYLINDERS"]),
+        (
+            shipped::JUGGLER,
+            &["ELLIPSOIDS", "CYLINDERS", "GLASS", "FINISH", "SEVERAL_LAMPS", "TRANSPARENT_SHADOWS"][..],
+        ),
+        (shipped::HALL_22, &["HIERARCHY", "GLASS", "FINISH", "TRANSPARENT_SHADOWS"]),
+        (shipped::GLASS_2, &["HIERARCHY", "ELLIPSOIDS", "CYLINDERS", "FINISH"]),
     ] {
         for format in [Format::F32, Format::F64, Format::Q16, Format::Q20] {
             let source = source(&read(text), &Recipe::new(format));
             assert_eq!(needs(&source, false), without);
-            assert_eq!(needs(&source, true).len() + without.len(), 15);
+            assert_eq!(needs(&source, true).len() + without.len(), 16);
         }
     }
 }
@@ -41,7 +44,7 @@ fn the_model_decides_what_is_needed() {
     let mut scene = read(shipped::GLASS_2);
     assert_eq!(
         needs(&source(&scene, &recipe), false),
-        ["HIERARCHY", "ELLIPSOIDS", "CYLINDERS", "ATTENUATION"]
+        ["HIERARCHY", "ELLIPSOIDS", "CYLINDERS", "FINISH", "ATTENUATION"]
     );
     // A shiny sphere alone: it reflects in Whitted's model only.
     scene.spheres.remove(0);

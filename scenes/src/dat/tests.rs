@@ -45,7 +45,6 @@ fn accepted(text: impl AsRef<[u8]>) -> Description {
 #[test]
 fn every_number_lands_where_it_belongs() {
     let expected = Description {
-        camera: Camera { eye: [1.0, 2.0, 3.0], view: [0.0, 1.0, -0.5], focal: 1.5 },
         cylinders: vec![Cylinder {
             position: [4.0, 5.0, 6.0],
             color: [0.1, 0.2, 0.3],
@@ -80,6 +79,7 @@ fn every_number_lands_where_it_belongs() {
         floor: Some(Floor { colors: [[0.9, 0.8, 0.7], [0.1, 0.2, 0.3]] }),
         ambient: [0.4, 0.5, 0.6],
         sky: Sky { horizon: [0.7, 0.8, 1.0], zenith: [0.1, 0.1, 1.0] },
+        ..Description::empty(Camera::upright([1.0, 2.0, 3.0], [0.0, 1.0, -0.5], 1.5))
     };
     assert_eq!(accepted(SCENE), expected);
 }

@@ -108,14 +108,9 @@ impl Input {
         let mut scene = match shipped::ALL.get(usize::from(self.base) % 8) {
             Some((name, text)) => dat::read(text.as_bytes(), name).expect("a shipped scene"),
             None => Description {
-                camera: Camera { eye: [0.0, 0.0, 2.0], view: [0.0, 1.0, 0.0], focal: 1.0 },
-                cylinders: Vec::new(),
-                ellipsoids: Vec::new(),
-                spheres: Vec::new(),
-                lamps: Vec::new(),
-                floor: None,
                 ambient: [0.2; 3],
                 sky: Sky { horizon: [0.8; 3], zenith: [0.2, 0.3, 0.6] },
+                ..Description::empty(Camera::upright([0.0, 0.0, 2.0], [0.0, 1.0, 0.0], 1.0))
             },
         };
         if let Some(eye) = self.eye {

@@ -11,14 +11,8 @@ const COLOR: [f64; 3] = [0.5, 0.6, 0.9];
 /// Sky alone.
 fn sky() -> Description {
     Description {
-        camera: Camera { eye: [0.0, 0.0, 5.0], view: [0.0, 1.0, 0.0], focal: 1.0 },
-        cylinders: vec![],
-        ellipsoids: vec![],
-        spheres: vec![],
-        lamps: vec![],
-        floor: None,
-        ambient: [0.0; 3],
         sky: Sky { horizon: HORIZON, zenith: ZENITH },
+        ..Description::empty(Camera::upright([0.0, 0.0, 5.0], [0.0, 1.0, 0.0], 1.0))
     }
 }
 

@@ -1,0 +1,43 @@
+//! B. T. Phong, "Illumination for Computer Generated Pictures", Communications of the ACM 18 (1975), with the secondary
+//! rays of Whitted: how scenes in NFF are meant to be drawn.
+
+use super::{Illumination, Secondary, Surface, Whitted};
+use crate::color::Rgb;
+use crate::light::Incident;
+use crate::needs::Needs;
+use crate::scalar::Scalar;
+use crate::vector::UnitVector;
+
+/// `I = Ia C ka kd + sum [kd (N.L) C + ks (R.L)^n] I + ks I_ref + kt I_tra`
+///
+/// R is the reflection of the ray. All else is [`Whitted`]'s: lamps are not attenuated, coefficients are those of the
+/// finish, or Whitted's for the thesis's types.
+#[derive(Clone, Copy, Debug)]
+pub struct Phong<S: Scalar>(pub Whitted<S>);
+
+impl<S: Scalar> Default for Phong<S> {
+    fn default() -> Self {
+        Self(Whitted::default())
+    }
+}
+
+impl<S: Scalar> Illumination<S> for Phong<S> {
+    type Weight = S::Unit;
+
+    fn ambient<N: Needs>(&self, surface: &Surface<S>, ambient: Rgb<S::Light>) -> Rgb<S::Light> {
+        self.0.ambient::<N>(surface, ambient)
+    }
+
+    fn is_lit<N: Needs>(&self, surface: &Surface<S>) -> bool {
+        self.0.is_lit::<N>(surface)
+    }
+
+    fn direct<N: Needs>(&self, surface: &Surface<S>, incident: &Incident<S>) -> Rgb<S::Light> {
+        self.0
+            .lit::<N>(surface, incident, || incident.direction.dot(surface.incoming.reflect(surface.normal)))
+    }
+
+    fn secondary<N: Needs>(&self, surface: &Surface<S>) -> Secondary<S::Unit> {
+        self.0.secondary::<N>(surface)
+    }
+}
