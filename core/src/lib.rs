@@ -39,6 +39,7 @@
 #![no_std]
 #![forbid(unsafe_code)]
 
+pub mod bvh;
 pub mod camera;
 pub mod color;
 mod error;
@@ -72,7 +73,7 @@ pub mod prelude {
     pub use crate::sampling::{Sampling, Supersampled};
     pub use crate::scalar::{Light, Scalar, Unit};
     pub use crate::scene::{Floor, Scene, Sky};
-    pub use crate::shape::{Cylinder, Ellipsoid, Sphere};
+    pub use crate::shape::{Cone, Cylinder, Ellipsoid, Sphere, Triangle};
     pub use crate::trace::Tracer;
     pub use crate::vector::{LengthVector, UnitVec3, UnitVector, Vec3, Vector, Xyz};
 }

@@ -27,6 +27,14 @@ pub trait Needs: Send + Sync + 'static {
     const HIERARCHY: bool = true;
     /// Ellipsoids.
     const ELLIPSOIDS: bool = true;
+    /// Cones and cylinders between two points.
+    const CONES: bool = true;
+    /// Triangles.
+    const TRIANGLES: bool = true;
+    /// Triangles with normals at their vertices.
+    const NORMALS: bool = true;
+    /// A [hierarchy of boxes](crate::bvh) over all finite objects.
+    const BOXES: bool = true;
     /// Vertical cylinders.
     const CYLINDERS: bool = true;
     /// The chequered floor.
@@ -70,6 +78,10 @@ pub struct Used {
     pub spheres: bool,
     pub hierarchy: bool,
     pub ellipsoids: bool,
+    pub cones: bool,
+    pub triangles: bool,
+    pub normals: bool,
+    pub boxes: bool,
     pub cylinders: bool,
     pub floor: bool,
     pub sky_gradient: bool,
@@ -92,7 +104,10 @@ impl Used {
         let materials = || {
             let spheres = scene.spheres.iter().map(|s| &s.material);
             let ellipsoids = scene.ellipsoids.iter().map(|e| &e.material);
-            spheres.chain(ellipsoids).chain(scene.cylinders.iter().map(|c| &c.material))
+            let cones = scene.cones.iter().map(|c| &c.material);
+            let triangles = scene.triangles.iter().map(|t| &t.material);
+            let cylinders = scene.cylinders.iter().map(|c| &c.material);
+            spheres.chain(ellipsoids).chain(cones).chain(triangles).chain(cylinders)
         };
         let glass = materials().any(|m| m.glass::<Everything>().is_some());
         let finish = |test: fn(&Finish<S>) -> bool| {
@@ -113,6 +128,10 @@ impl Used {
             spheres: !scene.spheres.is_empty(),
             hierarchy: !scene.hierarchy.is_empty(),
             ellipsoids: !scene.ellipsoids.is_empty(),
+            cones: !scene.cones.is_empty(),
+            triangles: !scene.triangles.is_empty(),
+            normals: scene.triangles.iter().any(|triangle| triangle.normals.is_some()),
+            boxes: !scene.boxes.nodes.is_empty(),
             cylinders: !scene.cylinders.is_empty(),
             floor,
             sky_gradient: scene.sky.horizon != scene.sky.zenith,
@@ -135,6 +154,10 @@ impl Used {
             spheres: N::SPHERES,
             hierarchy: N::HIERARCHY,
             ellipsoids: N::ELLIPSOIDS,
+            cones: N::CONES,
+            triangles: N::TRIANGLES,
+            normals: N::NORMALS,
+            boxes: N::BOXES,
             cylinders: N::CYLINDERS,
             floor: N::FLOOR,
             sky_gradient: N::SKY_GRADIENT,
@@ -152,11 +175,15 @@ impl Used {
     }
 
     /// Each constant's name and value.
-    pub const fn named(self) -> [(&'static str, bool); 16] {
+    pub const fn named(self) -> [(&'static str, bool); 20] {
         [
             ("SPHERES", self.spheres),
             ("HIERARCHY", self.hierarchy),
             ("ELLIPSOIDS", self.ellipsoids),
+            ("CONES", self.cones),
+            ("TRIANGLES", self.triangles),
+            ("NORMALS", self.normals),
+            ("BOXES", self.boxes),
             ("CYLINDERS", self.cylinders),
             ("FLOOR", self.floor),
             ("SKY_GRADIENT", self.sky_gradient),
@@ -177,8 +204,10 @@ impl Used {
 /// The name of the first constant that is false in `N` although the scene uses what it stands for, with the illumination
 /// model `Rta`. Shadows may be left out on purpose, and a hierarchy only saves time.
 pub fn missing<N: Needs, S: Scalar>(scene: &Scene<S>) -> Option<&'static str> {
-    let waived =
-        |name| name == "HIERARCHY" || (!N::SHADOWS && matches!(name, "SHADOWS" | "TRANSPARENT_SHADOWS"));
+    let waived = |name| {
+        matches!(name, "HIERARCHY" | "BOXES")
+            || (!N::SHADOWS && matches!(name, "SHADOWS" | "TRANSPARENT_SHADOWS"))
+    };
     let (used, there) = (Used::by(scene, false).named(), Used::of::<N>().named());
     used.into_iter()
         .zip(there)

@@ -145,7 +145,7 @@ pub enum RangeError {
     Radius(Object),
     /// A reflectance is below 0.
     Color(Object),
-    /// A node of the hierarchy over the spheres does not contain its run of them, or leads nowhere.
+    /// A node of a hierarchy does not contain its objects, or leads nowhere.
     Hierarchy(usize),
 }
 
@@ -157,10 +157,7 @@ impl fmt::Display for Named {
         match self.0 {
             None => write!(f, "the observer"),
             Some(Object::Floor) => write!(f, "the floor"),
-            Some(Object::Cylinder(i)) => write!(f, "cylinder {}", i + 1),
-            Some(Object::Ellipsoid(i)) => write!(f, "ellipsoid {}", i + 1),
-            Some(Object::Sphere(i)) => write!(f, "sphere {}", i + 1),
-            Some(Object::Lamp(i)) => write!(f, "lamp {}", i + 1),
+            Some(object) => object.fmt(f),
         }
     }
 }
@@ -179,7 +176,7 @@ impl fmt::Display for RangeError {
                 write!(f, "{} has a radius that is not above 0 in the number format", Named(Some(*object)))
             }
             Self::Hierarchy(node) => {
-                write!(f, "node {node} of the hierarchy does not contain its spheres, or leads nowhere")
+                write!(f, "node {node} of the hierarchy does not contain its objects, or leads nowhere")
             }
             Self::Color(object) => {
                 write!(f, "{} has a colour with a negative register", Named(Some(*object)))
@@ -225,7 +222,9 @@ impl<'a, S: Scalar> Scene<'a, S> {
             return Err(RangeError::Exceeds(*row));
         }
         // Only now is it known that no distance between a node and its spheres leaves the format.
-        match hierarchy::first_wrong(self.hierarchy, self.spheres, hierarchy::largest_radius()) {
+        let counts = [self.spheres.len(), self.ellipsoids.len(), self.cones.len(), self.triangles.len()];
+        let wrong = hierarchy::first_wrong(self.hierarchy, self.spheres, hierarchy::largest_radius());
+        match wrong.or_else(|| self.boxes.first_wrong(counts)) {
             Some(node) => Err(RangeError::Hierarchy(node)),
             None => Ok(Admitted { scene: self, limits: proof.limits }),
         }
@@ -246,7 +245,18 @@ impl<'a, S: Scalar> Scene<'a, S> {
             self.spheres.iter().enumerate().map(|(i, s)| (Object::Sphere(i), s.center, s.radius, s.radius));
         let lamps =
             self.lamps.iter().enumerate().map(|(i, l)| (Object::Lamp(i), l.position, l.radius, l.radius));
-        cylinders.chain(self.ellipsoids.iter().enumerate().map(ellipsoid)).chain(spheres).chain(lamps)
+        let half = S::Unit::ratio(1, 2);
+        let cones = self.cones.iter().enumerate().map(move |(i, c)| {
+            let radius = c.span.scale(half);
+            (Object::Cone(i), c.center, radius, radius)
+        });
+        let triangles = self
+            .triangles
+            .iter()
+            .enumerate()
+            .map(|(i, t)| (Object::Triangle(i), t.corner, t.extent, t.extent));
+        let ellipsoids = self.ellipsoids.iter().enumerate().map(ellipsoid);
+        cylinders.chain(ellipsoids).chain(spheres).chain(cones).chain(triangles).chain(lamps)
     }
 
     /// Every surface with its colour and material; the floor's second colour, too.
@@ -258,7 +268,10 @@ impl<'a, S: Scalar> Scene<'a, S> {
         let spheres = self.spheres.iter().enumerate().map(|(i, s)| (Object::Sphere(i), s.color, &s.material));
         let floor =
             self.floor.iter().flat_map(|f| f.colors.map(|color| (Object::Floor, color, &Material::Opaque)));
-        cylinders.chain(ellipsoids).chain(spheres).chain(floor)
+        let cones = self.cones.iter().enumerate().map(|(i, c)| (Object::Cone(i), c.color, &c.material));
+        let triangles =
+            self.triangles.iter().enumerate().map(|(i, t)| (Object::Triangle(i), t.color, &t.material));
+        cylinders.chain(ellipsoids).chain(spheres).chain(cones).chain(triangles).chain(floor)
     }
 
     fn check_signs(&self) -> Result<(), RangeError> {

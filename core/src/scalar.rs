@@ -18,6 +18,7 @@
 use core::fmt::Debug;
 use core::ops::{Add, Neg, Sub};
 
+use crate::bvh::{Boxes, Slabs};
 use crate::range::Magnitude;
 use crate::vector::{LengthVector, UnitVector};
 
@@ -94,6 +95,19 @@ pub trait Scalar:
     /// point and theirs can be wrong together: where the search finds one of them, the ray meets this one.
     fn swollen(self, distance: Self) -> Self;
 
+    /// How far the planes of a box are moved outwards before a ray is tested against it, where neither the ray's origin nor
+    /// the boxes have a coordinate above `self`: more than the object in it, its test and the box's can be wrong together.
+    fn margin(self) -> Self;
+
+    /// Where a ray enters the four boxes of a node, and whether it does so before `t_max`.
+    #[inline]
+    fn enter(node: &Boxes<Self>, slabs: &Slabs<Self>, t_max: Self) -> ([Self; 4], [bool; 4]) {
+        node.enter(slabs, t_max)
+    }
+
+    /// The next larger length, or the same where there is none.
+    fn next_up(self) -> Self;
+
     /// The extent that [`LengthVector::clearance`] is to be told of an ellipsoid of the extent `self` whose smallest radius
     /// is the part `thickness` of it. A format with a fixed point loses the digits that squashing the ellipsoid takes.
     #[inline]
@@ -164,6 +178,12 @@ pub trait Unit:
     fn over(self, divisor: Self::Inverse) -> Self;
     /// `sqrt(a^2 + b^2 - minus^2)`, the difference exact in fixed point; nothing where it is negative.
     fn radical(a: Self, b: Self, minus: Self) -> Option<Self>;
+    /// `sqrt(b^2 - a c)`, the difference exact in fixed point; nothing where it is negative.
+    fn discriminant(b: Self, a: Self, c: Self) -> Option<Self>;
+    /// `self / divisor`; in fixed point it saturates at 2, in float it may be infinite or no number.
+    fn quotient(self, divisor: Self) -> Self;
+    /// The reciprocal of a number that is 0 or more; of 0 it is as large as the format has it.
+    fn reciprocal(self) -> Self::Inverse;
     /// `self^exponent` by squaring, for `self` in [0, 1].
     fn power(self, exponent: u32) -> Self {
         let (mut base, mut left, mut product) = (self, exponent, Self::ONE);

@@ -1,5 +1,8 @@
 //! A scene is borrowed data: one list for each kind of thing, in RAM or in flash.
 
+use core::fmt;
+
+use crate::bvh::{Bvh, Item};
 use crate::color::Rgb;
 use crate::hierarchy::{Node, Walk};
 use crate::illumination::Surface;
@@ -10,7 +13,7 @@ use crate::range::Limits;
 use crate::ray::Ray;
 use crate::scalar::{Light, Scalar, Unit};
 pub use crate::shape::Floor;
-use crate::shape::{Cylinder, Ellipsoid, Sphere, sphere};
+use crate::shape::{Cone, Cylinder, Ellipsoid, Sphere, Triangle, sphere};
 use crate::vector::{UnitVec3, UnitVector, Vector};
 
 /// A scene (rta-model section 1), but for the eye.
@@ -24,6 +27,12 @@ pub struct Scene<'a, S: Scalar> {
     pub spheres: &'a [Sphere<S>],
     /// A hierarchy over the spheres, or nothing.
     pub hierarchy: &'a [Node<S>],
+    /// Cones and cylinders between two points.
+    pub cones: &'a [Cone<S>],
+    /// Triangles.
+    pub triangles: &'a [Triangle<S>],
+    /// A hierarchy of boxes over ellipsoids, spheres, cones and triangles, or [`Bvh::NONE`].
+    pub boxes: Bvh<'a, S>,
     /// Lamps.
     pub lamps: &'a [Lamp<S>],
     /// The floor, if there is one.
@@ -57,7 +66,9 @@ impl<S: Scalar> Sky<S> {
 }
 
 /// What a ray meets: which, in its list.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+///
+/// Of things that are equally near, the first in this order is seen.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Object {
     /// The floor.
     Floor,
@@ -67,8 +78,28 @@ pub enum Object {
     Ellipsoid(usize),
     /// A sphere.
     Sphere(usize),
+    /// A cone, or a cylinder between two points.
+    Cone(usize),
+    /// A triangle.
+    Triangle(usize),
     /// A visible lamp.
     Lamp(usize),
+}
+
+/// As a scene file counts: from 1.
+impl fmt::Display for Object {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (name, index) = match *self {
+            Self::Floor => return f.write_str("floor"),
+            Self::Cylinder(i) => ("cylinder", i),
+            Self::Ellipsoid(i) => ("ellipsoid", i),
+            Self::Sphere(i) => ("sphere", i),
+            Self::Cone(i) => ("cone", i),
+            Self::Triangle(i) => ("triangle", i),
+            Self::Lamp(i) => ("lamp", i),
+        };
+        write!(f, "{name} {}", index + 1)
+    }
 }
 
 /// The nearest hit of a ray.
@@ -90,6 +121,9 @@ impl<S: Scalar> Scene<'_, S> {
             ellipsoids: &[],
             spheres: &[],
             hierarchy: &[],
+            cones: &[],
+            triangles: &[],
+            boxes: Bvh::NONE,
             lamps: &[],
             floor: Some(Floor {
                 colors: [Rgb::new(unit(85), unit(85), unit(80)), Rgb::new(unit(15), unit(17), unit(25))],
@@ -103,6 +137,46 @@ impl<S: Scalar> Scene<'_, S> {
     /// so few spheres that walking one takes longer.
     fn is_swept<N: Needs>(&self) -> bool {
         S::LANES && (!N::HIERARCHY || self.hierarchy.is_empty() || self.spheres.len() <= 16)
+    }
+
+    /// Whether there is a hierarchy of boxes.
+    fn is_boxed<N: Needs>(&self) -> bool {
+        N::BOXES && !self.boxes.nodes.is_empty()
+    }
+
+    /// Where a ray meets an item nearer than `t_max`.
+    #[inline]
+    fn meet<N: Needs>(&self, item: Item, ray: &Ray<S>, t_max: S) -> Option<Hit<S>> {
+        let index = |number: u32| usize::try_from(number).unwrap_or(usize::MAX);
+        let (distance, object) = match item {
+            Item::Sphere(i) if N::SPHERES => {
+                (self.spheres.get(index(i))?.intersect(ray, t_max)?, Object::Sphere(index(i)))
+            }
+            Item::Ellipsoid(i) if N::ELLIPSOIDS => {
+                (self.ellipsoids.get(index(i))?.intersect(ray, t_max)?, Object::Ellipsoid(index(i)))
+            }
+            Item::Cone(i) if N::CONES => {
+                (self.cones.get(index(i))?.intersect(ray, t_max)?, Object::Cone(index(i)))
+            }
+            Item::Triangle(i) if N::TRIANGLES => {
+                (self.triangles.get(index(i))?.intersect(ray, t_max)?, Object::Triangle(index(i)))
+            }
+            _ => return None,
+        };
+        Some(Hit { distance, object })
+    }
+
+    /// The material of what was hit; a lamp has none, and the floor is opaque.
+    fn material(&self, object: Object) -> Option<&Material<S>> {
+        match object {
+            Object::Floor => Some(&Material::Opaque),
+            Object::Cylinder(i) => self.cylinders.get(i).map(|c| &c.material),
+            Object::Ellipsoid(i) => self.ellipsoids.get(i).map(|e| &e.material),
+            Object::Sphere(i) => self.spheres.get(i).map(|s| &s.material),
+            Object::Cone(i) => self.cones.get(i).map(|c| &c.material),
+            Object::Triangle(i) => self.triangles.get(i).map(|t| &t.material),
+            Object::Lamp(_) => None,
+        }
     }
 
     /// The nearest hit of a ray, if it meets anything; cylinders end at the height `lid`.
@@ -125,6 +199,20 @@ impl<S: Scalar> Scene<'_, S> {
                 found(cylinder.intersect(ray, t_max, lid), Object::Cylinder(i), &mut t_max);
             }
         }
+        if self.is_boxed::<N>() {
+            let mut hit = hit;
+            self.boxes.nearest(ray, &mut t_max, |item, t_max| {
+                // What is as near as the best so far is looked at too: the boxes come in any order.
+                if let Some(found) = self.meet::<N>(item, ray, t_max.next_up())
+                    && hit
+                        .is_none_or(|hit: Hit<S>| found.distance < hit.distance || found.object < hit.object)
+                {
+                    *t_max = found.distance;
+                    hit = Some(found);
+                }
+            });
+            return self.nearest_lamp::<N>(ray, t_max).or(hit);
+        }
         if N::ELLIPSOIDS {
             for (i, ellipsoid) in self.ellipsoids.iter().enumerate() {
                 found(ellipsoid.intersect(ray, t_max), Object::Ellipsoid(i), &mut t_max);
@@ -143,14 +231,29 @@ impl<S: Scalar> Scene<'_, S> {
                 }
             }
         }
+        if N::CONES {
+            for (i, cone) in self.cones.iter().enumerate() {
+                found(cone.intersect(ray, t_max), Object::Cone(i), &mut t_max);
+            }
+        }
+        if N::TRIANGLES {
+            for (i, triangle) in self.triangles.iter().enumerate() {
+                found(triangle.intersect(ray, t_max), Object::Triangle(i), &mut t_max);
+            }
+        }
+        self.nearest_lamp::<N>(ray, t_max).or(hit)
+    }
+
+    /// The nearest lamp that a ray meets before `t_max`.
+    fn nearest_lamp<N: Needs>(&self, ray: &Ray<S>, mut t_max: S) -> Option<Hit<S>> {
+        let mut hit = None;
         if N::VISIBLE_LAMPS {
             for (i, lamp) in self.lamps.iter().enumerate() {
-                if lamp.radius > S::ZERO {
-                    found(
-                        sphere::intersect(lamp.position, lamp.radius, ray, t_max),
-                        Object::Lamp(i),
-                        &mut t_max,
-                    );
+                if lamp.radius > S::ZERO
+                    && let Some(distance) = sphere::intersect(lamp.position, lamp.radius, ray, t_max)
+                {
+                    t_max = distance;
+                    hit = Some(Hit { distance, object: Object::Lamp(i) });
                 }
             }
         }
@@ -173,26 +276,50 @@ impl<S: Scalar> Scene<'_, S> {
                 false
             }
         };
-        if N::SPHERES {
-            let mut open =
-                |sphere: &Sphere<S>| sphere.intersect(ray, t_max).is_none() || shade(&sphere.material);
-            if self.is_swept::<N>() {
-                if !sphere::sweep(self.spheres, ray, |_, sphere| open(sphere)) {
-                    return S::Unit::ZERO;
+        if self.is_boxed::<N>() {
+            let open = |item| {
+                let hit = self.meet::<N>(item, ray, t_max);
+                hit.and_then(|hit| self.material(hit.object)).is_none_or(&mut shade)
+            };
+            if !self.boxes.all(ray, t_max, open) {
+                return S::Unit::ZERO;
+            }
+        } else {
+            if N::SPHERES {
+                let mut open =
+                    |sphere: &Sphere<S>| sphere.intersect(ray, t_max).is_none() || shade(&sphere.material);
+                if self.is_swept::<N>() {
+                    if !sphere::sweep(self.spheres, ray, |_, sphere| open(sphere)) {
+                        return S::Unit::ZERO;
+                    }
+                } else {
+                    let mut walk = Walk::<S, N>::new(self.hierarchy, self.spheres);
+                    while let Some((_, sphere)) = walk.next(ray, t_max) {
+                        if !open(sphere) {
+                            return S::Unit::ZERO;
+                        }
+                    }
                 }
-            } else {
-                let mut walk = Walk::<S, N>::new(self.hierarchy, self.spheres);
-                while let Some((_, sphere)) = walk.next(ray, t_max) {
-                    if !open(sphere) {
+            }
+            if N::ELLIPSOIDS {
+                for ellipsoid in self.ellipsoids {
+                    if ellipsoid.intersect(ray, t_max).is_some() && !shade(&ellipsoid.material) {
                         return S::Unit::ZERO;
                     }
                 }
             }
-        }
-        if N::ELLIPSOIDS {
-            for ellipsoid in self.ellipsoids {
-                if ellipsoid.intersect(ray, t_max).is_some() && !shade(&ellipsoid.material) {
-                    return S::Unit::ZERO;
+            if N::CONES {
+                for cone in self.cones {
+                    if cone.intersect(ray, t_max).is_some() && !shade(&cone.material) {
+                        return S::Unit::ZERO;
+                    }
+                }
+            }
+            if N::TRIANGLES {
+                for triangle in self.triangles {
+                    if triangle.intersect(ray, t_max).is_some() && !shade(&triangle.material) {
+                        return S::Unit::ZERO;
+                    }
                 }
             }
         }
@@ -234,6 +361,12 @@ impl<S: Scalar> Scene<'_, S> {
                 .ellipsoids
                 .get(i)
                 .map(|e| (e.spot(ray, distance), e.color, &e.material, e.extent.squashed(e.thickness))),
+            Object::Cone(i) if N::CONES => {
+                self.cones.get(i).map(|c| (c.spot(ray, distance), c.color, &c.material, c.extent()))
+            }
+            Object::Triangle(i) if N::TRIANGLES => {
+                self.triangles.get(i).map(|t| (t.spot::<N>(ray, distance), t.color, &t.material, t.extent))
+            }
             Object::Sphere(i) if N::SPHERES => {
                 self.spheres.get(i).map(|s| (s.spot(ray, distance), s.color, &s.material, s.radius))
             }

@@ -4,15 +4,19 @@
 //! looked at once more, from nearby: the place is computed relative to the object and its size, so that the normal has
 //! the precision of a unit vector, and the hit point lies on the surface to within its own rounding.
 
+mod cone;
 mod cylinder;
 mod ellipsoid;
 mod floor;
 pub(crate) mod sphere;
+mod triangle;
 
+pub use cone::Cone;
 pub use cylinder::Cylinder;
 pub use ellipsoid::Ellipsoid;
 pub use floor::Floor;
 pub use sphere::Sphere;
+pub use triangle::Triangle;
 
 use crate::scalar::Scalar;
 use crate::vector::{UnitVec3, Vec3};

@@ -109,14 +109,7 @@ fn digits(value: f64) -> String {
 }
 
 fn object(object: Option<Object>) -> String {
-    match object {
-        None => "-".into(),
-        Some(Object::Floor) => "floor".into(),
-        Some(Object::Cylinder(i)) => format!("cylinder {}", i + 1),
-        Some(Object::Ellipsoid(i)) => format!("ellipsoid {}", i + 1),
-        Some(Object::Sphere(i)) => format!("sphere {}", i + 1),
-        Some(Object::Lamp(i)) => format!("lamp {}", i + 1),
-    }
+    object.map_or_else(|| "-".into(), |object| object.to_string())
 }
 
 fn table(title: &str, format: Format, rows: &[Bound]) -> String {

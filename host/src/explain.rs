@@ -7,7 +7,6 @@ use core::str::FromStr;
 use std::io::{self, Write as _};
 
 use rta_core::illumination::RayKind;
-use rta_core::scene::Object;
 use rta_scenes::description::Description;
 
 use crate::args::ExplainArgs;
@@ -190,11 +189,7 @@ fn meeting(step: &Step) -> String {
         Met::Sky => "sky".into(),
         Met::Floor { odd: true } => "odd tile".into(),
         Met::Floor { odd: false } => "even tile".into(),
-        Met::Object(Object::Floor) => "floor".into(),
-        Met::Object(Object::Sphere(i)) => format!("sphere {}", i + 1),
-        Met::Object(Object::Ellipsoid(i)) => format!("ellipsoid {}", i + 1),
-        Met::Object(Object::Cylinder(i)) => format!("cylinder {}", i + 1),
-        Met::Object(Object::Lamp(i)) => format!("lamp {}", i + 1),
+        Met::Object(object) => object.to_string(),
     };
     if let Some(distance) = step.distance {
         // Writing to a string does not fail.

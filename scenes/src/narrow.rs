@@ -3,20 +3,25 @@
 use core::fmt;
 
 use rta_core::Scalar;
+use rta_core::bvh::{Boxes, Bvh, Item};
 use rta_core::camera::{Camera, Lens};
 use rta_core::color::Rgb;
 use rta_core::hierarchy::Node;
 use rta_core::light::Lamp;
 use rta_core::material::{Finish, Glass, Material};
 use rta_core::scene::{Scene, Sky};
-use rta_core::shape::{Cylinder, Ellipsoid, Floor, Sphere};
+use rta_core::shape::{Cone, Cylinder, Ellipsoid, Floor, Sphere, Triangle};
 use rta_core::vector::{Vec3, Vector};
 
 use crate::description::{self, Description, Side, Surface};
 use crate::space::{cross, unit};
 
+mod bounds;
+mod bvh;
+mod cone;
 mod formats;
 mod hierarchy;
+mod triangle;
 
 /// A number format that descriptions can be narrowed to.
 pub trait Narrow: Scalar {
@@ -57,6 +62,16 @@ pub struct Narrowed<S: Scalar> {
     pub spheres: Vec<Sphere<S>>,
     /// A hierarchy over the spheres; none where there are few.
     pub hierarchy: Vec<Node<S>>,
+    /// Cones and cylinders between two points.
+    pub cones: Vec<Cone<S>>,
+    /// Triangles.
+    pub triangles: Vec<Triangle<S>>,
+    /// Nodes of a hierarchy of boxes over all finite objects; none where there are few.
+    pub boxes: Vec<Boxes<S>>,
+    /// What its leaves hold.
+    pub items: Vec<Item>,
+    /// The largest size of a coordinate in it.
+    pub size: S,
     /// Lamps.
     pub lamps: Vec<Lamp<S>>,
     /// The floor.
@@ -75,6 +90,9 @@ impl<S: Scalar> Narrowed<S> {
             ellipsoids: &self.ellipsoids,
             spheres: &self.spheres,
             hierarchy: &self.hierarchy,
+            cones: &self.cones,
+            triangles: &self.triangles,
+            boxes: Bvh { nodes: &self.boxes, items: &self.items, size: self.size },
             lamps: &self.lamps,
             floor: self.floor,
             sky: self.sky,
@@ -271,6 +289,12 @@ pub fn narrow<S: Narrow>(description: &Description, aspect: f64) -> Result<Narro
             check.material(&s.surface)?,
         ));
     }
+    let cones = description.cones.iter().enumerate().map(|(i, c)| cone::narrow(i, c));
+    let cones = cones.collect::<Result<Vec<_>, _>>()?;
+    let triangles = description.triangles.iter().enumerate().map(|(i, t)| triangle::narrow(i, t));
+    let triangles = triangles.collect::<Result<Vec<_>, _>>()?;
+    let bvh::Built { nodes, items, size } = bvh::build::<S>(description);
+    let hierarchy = if nodes.is_empty() { hierarchy::build(&description.spheres) } else { Vec::new() };
     let lamps: Result<Vec<_>, _> = description.lamps.iter().enumerate().map(|(i, l)| lamp(i, l)).collect();
     let floor = match &description.floor {
         None => None,
@@ -287,7 +311,12 @@ pub fn narrow<S: Narrow>(description: &Description, aspect: f64) -> Result<Narro
         cylinders,
         ellipsoids,
         spheres,
-        hierarchy: hierarchy::build(&description.spheres),
+        hierarchy,
+        cones,
+        triangles,
+        boxes: nodes,
+        items,
+        size,
         lamps: lamps?,
         floor,
         sky: Sky {

@@ -59,14 +59,10 @@ fn tolerance<S: Measure>() -> f64 {
 /// Nothing, in the dark.
 fn dark<S: Measure>() -> Scene<'static, S> {
     Scene {
-        cylinders: &[],
-        ellipsoids: &[],
-        spheres: &[],
-        hierarchy: &[],
-        lamps: &[],
         floor: None,
         sky: Sky { horizon: light::<S>(BLACK), zenith: light::<S>(BLACK) },
         ambient: light::<S>(BLACK),
+        ..Scene::day()
     }
 }
 

@@ -10,7 +10,7 @@ use rta_core::range::RangeError;
 use rta_core::ray::Ray;
 use rta_core::vector::{UnitVec3, UnitVector, Vector};
 use rta_core::{Q16, Q20};
-use rta_scenes::description::{Description, Sphere, Surface};
+use rta_scenes::description::{Cone, Description, Ellipsoid, Sphere, Surface, Triangle};
 use rta_scenes::narrow::{Narrow, narrow};
 use rta_tests::exact::{DEPTH, Exact, shipped_scene};
 use rta_tests::random_scenes;
@@ -20,6 +20,7 @@ struct OneByOne;
 
 impl Needs for OneByOne {
     const HIERARCHY: bool = false;
+    const BOXES: bool = false;
 }
 
 /// `count` spheres of sizes that differ a thousandfold, in clusters and far from each other; some of them touch or coincide.
@@ -42,10 +43,31 @@ fn cloud(count: usize, spread: f64, seed: u64) -> Description {
     scene
 }
 
+/// The same with a cone, a triangle and an ellipsoid beside every third sphere.
+fn medley(count: usize, spread: f64, seed: u64) -> Description {
+    let mut scene = cloud(count, spread, seed);
+    let mut rng = Rng::with_seed(seed + 1);
+    for sphere in scene.spheres.iter().filter(|sphere| sphere.radius > 0.02).step_by(2) {
+        let (radius, position, color) = (sphere.radius, sphere.position, sphere.color);
+        let mut near = |size: f64| position.map(|c| c + size * radius * (2.0 * rng.f64() - 1.0));
+        let (surface, line) = (Surface::Opaque, 0);
+        let vertices = [near(2.0), near(2.0), near(2.0)];
+        scene.triangles.push(Triangle { vertices, normals: None, color, surface, line });
+        let [base, apex] = [near(2.0), near(2.0)];
+        let radii = [radius, 0.2 * radius, 0.0];
+        let (base_radius, apex_radius) = (radii[rng.usize(..2)], radii[rng.usize(..3)]);
+        let (capped, inside_only) = (rng.bool(), rng.u8(..4) == 0);
+        scene.cones.push(Cone { base, base_radius, apex, apex_radius, capped, inside_only, color, surface, line });
+        let radii = [radius, 0.5 * radius, 0.7 * radius];
+        scene.ellipsoids.push(Ellipsoid { position: base, radii, color, surface, line });
+    }
+    scene
+}
+
 /// The nearest hits of random rays, from the eye, from surfaces and from far away; and how many there were.
 fn compare<S: Narrow>(scene: &Description, rays: usize, seed: u64) -> usize {
     let narrowed = narrow::<S>(scene, 1.0).expect("it fits");
-    assert!(!narrowed.hierarchy.is_empty(), "there are spheres enough");
+    assert!(narrowed.hierarchy.is_empty() != narrowed.boxes.is_empty(), "there are objects enough");
     let admitted = narrowed.scene().admit(&narrowed.camera).expect("it fits");
     let (lid, mut rng, mut met) = (admitted.limits().lid, Rng::with_seed(seed), 0);
     for number in 0..rays {
@@ -97,6 +119,21 @@ fn single_rays_meet_the_same() {
             compare::<f64>(&scene, 20_000, 4),
         ] {
             assert!(met > 5000, "only {met} rays met anything");
+        }
+    }
+}
+
+#[test]
+fn single_rays_meet_the_same_of_every_kind() {
+    for (count, spread) in [(20, 5.0), (300, 20.0), (3000, 90.0)] {
+        let scene = medley(count, spread, 11);
+        for met in [
+            compare::<Q16>(&scene, 10_000, 1),
+            compare::<Q20>(&scene, 10_000, 2),
+            compare::<f32>(&scene, 10_000, 3),
+            compare::<f64>(&scene, 10_000, 4),
+        ] {
+            assert!(met > 2500, "only {met} rays met anything");
         }
     }
 }

@@ -105,6 +105,17 @@ impl Unit for I2F30 {
     fn over(self, divisor: Reciprocal) -> Self {
         Self::from_bits(saturate(divisor.times(self.to_bits())))
     }
+    fn discriminant(b: Self, a: Self, c: Self) -> Option<Self> {
+        root(wide(b.to_bits(), b.to_bits()) - wide(a.to_bits(), c.to_bits()))
+    }
+    fn quotient(self, divisor: Self) -> Self {
+        let reciprocal = Reciprocal::of(divisor.to_bits().unsigned_abs());
+        let size = saturate(reciprocal.times(self.to_bits().saturating_abs()));
+        Self::from_bits(if (self < Self::ZERO) == (divisor < Self::ZERO) { size } else { -size })
+    }
+    fn reciprocal(self) -> Reciprocal {
+        Reciprocal::of(self.to_bits().unsigned_abs())
+    }
     fn radical(a: Self, b: Self, minus: Self) -> Option<Self> {
         let square = |c: Self| wide(c.to_bits(), c.to_bits());
         root(square(a) - square(minus) + square(b))
@@ -299,6 +310,14 @@ macro_rules! fixed_point {
             fn swollen(self, distance: Self) -> Self {
                 let slack = 4 + (distance.to_bits().unsigned_abs() >> 25).cast_signed();
                 Self::from_bits(self.to_bits() + slack)
+            }
+            /// A foot point errs by 2 LSB and 2^-26 of its distance, which is below 2^31 LSB; twice that, and what the
+            /// reciprocal of a direction is wrong by, 2^-29 of as much.
+            fn margin(self) -> Self {
+                Self::from_bits(72)
+            }
+            fn next_up(self) -> Self {
+                self.saturating_add(Self::DELTA)
             }
             fn odd_tile(self) -> bool {
                 integer::odd_third(i64::from(self.to_bits() >> $bits))

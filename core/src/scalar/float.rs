@@ -3,6 +3,7 @@
 #![allow(clippy::float_arithmetic)] // the one file of the core with floats in it
 
 use super::{Light, Scalar, Unit};
+use crate::bvh::{Boxes, Slabs};
 use crate::range::Magnitude;
 use crate::vector::{LengthVector, Plan, UnitVector, Vector};
 
@@ -28,6 +29,16 @@ macro_rules! float {
             }
             fn over(self, divisor: $f) -> Self {
                 self * divisor
+            }
+            fn discriminant(b: Self, a: Self, c: Self) -> Option<Self> {
+                let square = b * b - a * c;
+                if square >= 0.0 { Some($sqrt(square)) } else { None }
+            }
+            fn quotient(self, divisor: Self) -> Self {
+                self / divisor
+            }
+            fn reciprocal(self) -> Self {
+                1.0 / self.abs() // also of a zero with a sign
             }
             fn radical(a: Self, b: Self, minus: Self) -> Option<Self> {
                 // (a - m)(a + m) keeps the digits that a^2 - m^2 would cancel.
@@ -111,6 +122,43 @@ macro_rules! float {
             /// err by `7 EPSILON` of it; a little more than twice that is added.
             fn swollen(self, distance: Self) -> Self {
                 self + 16.0 * <$f>::EPSILON * (distance.abs() + self)
+            }
+            /// A box is as far away as twice `self` in each coordinate, and a foot point errs by `14 EPSILON` of its distance
+            /// at most.
+            #[inline]
+            fn margin(self) -> Self {
+                64.0 * <$f>::EPSILON * self
+            }
+            /// Four lanes side by side. A ray along a plane makes 0 times infinity, which no comparison is true of.
+            #[inline]
+            #[allow(
+                clippy::indexing_slicing,
+                reason = "every index is below the length, and so the loops are lanes"
+            )]
+            fn enter(node: &Boxes<Self>, slabs: &Slabs<Self>, t_max: Self) -> ([Self; 4], [bool; 4]) {
+                let (mut near, mut far, mut enters) = ([0.0; 4], [t_max; 4], [false; 4]);
+                for axis in 0..3 {
+                    let (inverse, origin, margin) = (slabs.inverse[axis], slabs.origin[axis], slabs.margin);
+                    let (first, last, inverse, margin) = if slabs.backwards[axis] {
+                        (&node.high[axis], &node.low[axis], -inverse, -margin)
+                    } else {
+                        (&node.low[axis], &node.high[axis], inverse, margin)
+                    };
+                    let (before, behind) = (origin + margin, origin - margin);
+                    for k in 0..4 {
+                        let t = (first[k] - before) * inverse;
+                        near[k] = if t > near[k] { t } else { near[k] };
+                        let t = (last[k] - behind) * inverse;
+                        far[k] = if t < far[k] { t } else { far[k] };
+                    }
+                }
+                for k in 0..4 {
+                    enters[k] = near[k] <= far[k];
+                }
+                (near, enters)
+            }
+            fn next_up(self) -> Self {
+                <$f>::next_up(self)
             }
             #[cfg_attr(target_os = "none", inline(never))] // four places ask
             #[allow(clippy::cast_possible_truncation, clippy::cast_precision_loss)] // within its digits

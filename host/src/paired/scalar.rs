@@ -71,6 +71,12 @@ impl<S: Format> Scalar for Paired<S> {
         let twin = Scalar::swollen(self.twin, distance.twin);
         Self { format: self.format.swollen(distance.format), twin }.noted("swollen", [self.error()])
     }
+    fn margin(self) -> Self {
+        Self { format: self.format.margin(), twin: self.twin.margin() }
+    }
+    fn next_up(self) -> Self {
+        Self { format: Scalar::next_up(self.format), twin: self.twin.next_up() }
+    }
     #[track_caller]
     fn odd_tile(self) -> bool {
         let (format, twin) = (self.format.odd_tile(), self.twin.odd_tile());
@@ -131,6 +137,24 @@ impl<U: UnitFormat> Unit for Paired<U> {
     fn over(self, divisor: Self::Inverse) -> Self {
         Self { format: Unit::over(self.format, divisor.format), twin: Unit::over(self.twin, divisor.twin) }
             .noted("over", [self.error()])
+    }
+    fn reciprocal(self) -> Self::Inverse {
+        Bare { format: self.format.reciprocal(), twin: self.twin.reciprocal() }
+    }
+    #[track_caller]
+    fn quotient(self, divisor: Self) -> Self {
+        // Where the format saturates, so does the twin.
+        let twin = (self.twin / divisor.twin).clamp(-2.0, 2.0);
+        Self { format: self.format.quotient(divisor.format), twin }
+            .noted("quotient", [self.error(), divisor.error()])
+    }
+    #[track_caller]
+    fn discriminant(b: Self, a: Self, c: Self) -> Option<Self> {
+        let (format, twin) =
+            (U::discriminant(b.format, a.format, c.format), f64::discriminant(b.twin, a.twin, c.twin));
+        log::decision("discriminant", b.values(), a.values(), format.is_some(), twin.is_some());
+        let root = Self { format: format?, twin: twin.unwrap_or(0.0) };
+        Some(root.noted("discriminant", [b.error(), a.error(), c.error()]))
     }
     #[track_caller]
     fn radical(a: Self, b: Self, minus: Self) -> Option<Self> {

@@ -29,6 +29,7 @@ struct OneByOne;
 
 impl Needs for OneByOne {
     const HIERARCHY: bool = false;
+    const BOXES: bool = false;
 }
 
 /// What a ray met.

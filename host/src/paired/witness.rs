@@ -60,6 +60,10 @@ impl<S: Readable, M> Witness<'_, S, M> {
             Met::Object(Object::Ellipsoid(i))
         } else if let Some(i) = scene.cylinders.iter().position(|c| is(&c.material)) {
             Met::Object(Object::Cylinder(i))
+        } else if let Some(i) = scene.cones.iter().position(|c| is(&c.material)) {
+            Met::Object(Object::Cone(i))
+        } else if let Some(i) = scene.triangles.iter().position(|t| is(&t.material)) {
+            Met::Object(Object::Triangle(i))
         } else {
             let even = scene.floor.as_ref().map(|floor| values::<S>(floor.colors[0]));
             Met::Floor { odd: even != Some(values::<S>(surface.color)) }

@@ -6,6 +6,7 @@ use rta_core::color::Rgb;
 use rta_core::material::{Finish, Glass, Material};
 use rta_core::needs::Used;
 use rta_core::range::Limits;
+use rta_core::shape::Cone;
 use rta_core::vector::{UnitVec3, Vec3, Vector};
 
 use super::literal::Literal;
@@ -42,7 +43,9 @@ pub(super) fn write<S: Literal>(
         out,
         "    ::rta_core::range::Admitted::baked(\n        ::rta_core::scene::Scene {{\n            \
          cylinders: &CYLINDERS,\n            ellipsoids: &ELLIPSOIDS,\n            spheres: &SPHERES,\n            \
-         hierarchy: &HIERARCHY,\n            lamps: &LAMPS,"
+         hierarchy: &HIERARCHY,\n            cones: &CONES,\n            triangles: &TRIANGLES,\n            \
+         boxes: ::rta_core::bvh::Bvh {{ nodes: &BOXES, items: &ITEMS, size: {} }},\n            lamps: &LAMPS,",
+        length(scene.size)
     )?;
     match &scene.floor {
         None => writeln!(out, "            floor: None,")?,
@@ -94,6 +97,7 @@ fn write_needs(out: &mut impl Write, used: Used) -> fmt::Result {
 fn write_names(out: &mut impl Write, constructors: &str) -> fmt::Result {
     out.write_str(
         "    use ::rta_core::Scalar;
+    use ::rta_core::bvh::{Child, Item};
     use ::rta_core::color::Rgb;
     use ::rta_core::material::{Finish, Glass, Material};
     type Unit = <Number as Scalar>::Unit;
@@ -153,6 +157,43 @@ fn write_lists<S: Literal>(out: &mut impl Write, scene: &Narrowed<S>) -> fmt::Re
         let (center, radius) = (place::<S>(n.center), length(n.radius));
         format!("center: {center}, radius: {radius}, first: {}, end: {}, skip: {}", n.first, n.end, n.skip)
     });
+    let cones = scene.cones.iter().map(|c| {
+        let Cone { half_height, waist, cosine, sine, radii: [base, apex], capped, inside_only, .. } = *c;
+        let [half_height, waist, cosine, sine] = [half_height, waist, cosine, sine].map(unit::<S>);
+        format!(
+            "center: {}, axis: {}, span: {}, inverse_span: {}, half_height: {half_height}, waist: {waist}, cosine: {cosine}, \
+             sine: {sine}, radii: [{}, {}], capped: {capped}, inside_only: {inside_only}, color: {}, material: {}",
+            place::<S>(c.center),
+            direction::<S>(c.axis),
+            length(c.span),
+            S::inverse_literal(c.inverse_span),
+            unit::<S>(base),
+            unit::<S>(apex),
+            color::<S>(c.color),
+            material(&c.material)
+        )
+    });
+    let triangles = scene.triangles.iter().map(|t| {
+        let normals = match t.normals {
+            None => "None".to_owned(),
+            Some(normals) => format!("Some([{}])", normals.map(direction::<S>).join(", ")),
+        };
+        format!(
+            "corner: {}, extent: {}, normal: {}, inward: [{}], heights: [{}], normals: {normals}, color: {}, material: {}",
+            place::<S>(t.corner),
+            length(t.extent),
+            direction::<S>(t.normal),
+            t.inward.map(direction::<S>).join(", "),
+            t.heights.map(length).join(", "),
+            color::<S>(t.color),
+            material(&t.material)
+        )
+    });
+    let sides = |sides: [[S; 4]; 3]| sides.map(|row| format!("[{}]", row.map(length).join(", "))).join(", ");
+    let boxes = scene.boxes.iter().map(|node| {
+        let children = node.children.map(|child| format!("Child::{child:?}")).join(", ");
+        format!("low: [{}], high: [{}], children: [{children}]", sides(node.low), sides(node.high))
+    });
     let lamps = scene.lamps.iter().map(|l| {
         format!(
             "position: {}, radius: {}, inverse_radius: {}, power: {}, tint: {}",
@@ -167,6 +208,14 @@ fn write_lists<S: Literal>(out: &mut impl Write, scene: &Narrowed<S>) -> fmt::Re
     write_list(out, "ELLIPSOIDS", "shape::Ellipsoid", &ellipsoids.collect::<Vec<_>>())?;
     write_list(out, "SPHERES", "shape::Sphere", &spheres.collect::<Vec<_>>())?;
     write_list(out, "HIERARCHY", "hierarchy::Node", &nodes.collect::<Vec<_>>())?;
+    write_list(out, "CONES", "shape::Cone", &cones.collect::<Vec<_>>())?;
+    write_list(out, "TRIANGLES", "shape::Triangle", &triangles.collect::<Vec<_>>())?;
+    write_list(out, "BOXES", "bvh::Boxes", &boxes.collect::<Vec<_>>())?;
+    writeln!(out, "    static ITEMS: [Item; {}] = [", scene.items.len())?;
+    for item in &scene.items {
+        writeln!(out, "        Item::{item:?},")?;
+    }
+    writeln!(out, "    ];")?;
     write_list(out, "LAMPS", "light::Lamp", &lamps.collect::<Vec<_>>())
 }
 

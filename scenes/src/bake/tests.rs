@@ -25,31 +25,67 @@ fn a_scene_needs_what_is_in_it_and_no_more() {
     for (text, without) in [
         (
             shipped::JUGGLER,
-            &["ELLIPSOIDS", "CYLINDERS", "GLASS", "FINISH", "SEVERAL_LAMPS", "TRANSPARENT_SHADOWS"][..],
+            &[
+                "ELLIPSOIDS",
+                "CONES",
+                "TRIANGLES",
+                "NORMALS",
+                "BOXES",
+                "CYLINDERS",
+                "GLASS",
+                "FINISH",
+                "SEVERAL_LAMPS",
+                "TRANSPARENT_SHADOWS",
+            ][..],
         ),
-        (shipped::HALL_22, &["HIERARCHY", "GLASS", "FINISH", "TRANSPARENT_SHADOWS"]),
-        (shipped::GLASS_2, &["HIERARCHY", "ELLIPSOIDS", "CYLINDERS", "FINISH"]),
+        (
+            shipped::HALL_22,
+            &[
+                "HIERARCHY",
+                "CONES",
+                "TRIANGLES",
+                "NORMALS",
+                "BOXES",
+                "GLASS",
+                "FINISH",
+                "TRANSPARENT_SHADOWS",
+            ],
+        ),
+        (
+            shipped::GLASS_2,
+            &["HIERARCHY", "ELLIPSOIDS", "CONES", "TRIANGLES", "NORMALS", "BOXES", "CYLINDERS", "FINISH"],
+        ),
     ] {
         for format in [Format::F32, Format::F64, Format::Q16, Format::Q20] {
             let source = source(&read(text), &Recipe::new(format));
             assert_eq!(needs(&source, false), without);
-            assert_eq!(needs(&source, true).len() + without.len(), 16);
+            assert_eq!(needs(&source, true).len() + without.len(), 20);
         }
     }
 }
 
 #[test]
 fn the_model_decides_what_is_needed() {
-    let recipe = Recipe { model: Model::Whitted, ..Recipe::new(Format::Q16) };
+    let recipe = Recipe { model: Model::Whitted, ..Recipe::new(Format::Q20) };
     let mut scene = read(shipped::GLASS_2);
     assert_eq!(
         needs(&source(&scene, &recipe), false),
-        ["HIERARCHY", "ELLIPSOIDS", "CYLINDERS", "FINISH", "ATTENUATION"]
+        [
+            "HIERARCHY",
+            "ELLIPSOIDS",
+            "CONES",
+            "TRIANGLES",
+            "NORMALS",
+            "BOXES",
+            "CYLINDERS",
+            "FINISH",
+            "ATTENUATION"
+        ]
     );
     // A shiny sphere alone: it reflects in Whitted's model only.
     scene.spheres.remove(0);
     assert!(needs(&source(&scene, &recipe), true).contains(&"MIRROR"));
-    assert!(!needs(&source(&scene, &Recipe::new(Format::Q16)), true).contains(&"MIRROR"));
+    assert!(!needs(&source(&scene, &Recipe::new(Format::Q20)), true).contains(&"MIRROR"));
 }
 
 #[test]
@@ -63,7 +99,7 @@ fn a_scene_out_of_range_is_an_error() {
     // Each coordinate fits, the distance between two of them does not.
     scene.spheres[1].position[0] = 30_000.0;
     scene.spheres[0].position[0] = -30_000.0;
-    let error = bake(&scene, Format::Q16).expect_err("too far apart");
+    let error = bake(&scene, Format::Q20).expect_err("too far apart");
     assert!(matches!(error, BakeError::Range(_)), "{error:?}");
     assert!(bake(&scene, Format::F64).is_ok());
 }
@@ -80,7 +116,7 @@ fn the_same_scene_is_always_the_same_source() {
 #[test]
 fn a_name_stays_in_its_comment() {
     let source =
-        module(&read(shipped::GLASS_2), "a\nstatic\r*/ \"", &Recipe::new(Format::Q16)).expect("it fits");
+        module(&read(shipped::GLASS_2), "a\nstatic\r*/ \"", &Recipe::new(Format::Q20)).expect("it fits");
     assert!(source.starts_with("// a static */ \" in q16 "));
     assert!(source.lines().nth(1).is_some_and(|line| line.starts_with("// ")));
 }

@@ -6,6 +6,7 @@ use rta_core::hierarchy::Node;
 use rta_core::vector::Vector;
 
 use super::Narrow;
+use super::bounds::Bounds;
 use crate::description::Sphere;
 
 /// Fewer spheres than this are as quickly tried one after another.
@@ -15,39 +16,6 @@ const NODE: f64 = 1.0;
 
 /// Longer runs than this are cut into parts of an eighth at least.
 const LONG: usize = 256;
-
-/// A box.
-#[derive(Clone, Copy)]
-struct Bounds {
-    low: [f64; 3],
-    high: [f64; 3],
-}
-
-impl Bounds {
-    const NONE: Self = Self { low: [f64::INFINITY; 3], high: [f64::NEG_INFINITY; 3] };
-
-    fn with(mut self, sphere: &Sphere) -> Self {
-        let places = self.low.iter_mut().zip(&mut self.high).zip(sphere.position);
-        for ((low, high), c) in places {
-            *low = low.min(c - sphere.radius);
-            *high = high.max(c + sphere.radius);
-        }
-        self
-    }
-
-    fn center(&self) -> [f64; 3] {
-        let [x, y, z] = [0, 1, 2].map(|axis: usize| {
-            let (low, high) = (self.low.get(axis), self.high.get(axis));
-            low.zip(high).map_or(0.0, |(low, high)| f64::midpoint(*low, *high))
-        });
-        [x, y, z]
-    }
-
-    /// The square of half the diagonal, which the surface of a sphere about the box goes with.
-    fn surface(&self) -> f64 {
-        self.low.iter().zip(&self.high).map(|(low, high)| (high - low) * (high - low)).sum::<f64>() / 4.0
-    }
-}
 
 /// The nodes in preorder; none where there are few spheres, or where the number format has no room for them.
 pub(super) fn build<S: Narrow>(spheres: &[Sphere]) -> Vec<Node<S>> {
@@ -92,7 +60,7 @@ fn number_of(index: usize) -> u32 {
 
 /// The node of a run: centre and radius rounded so that the spheres lie within, as they are in the format.
 fn node<S: Narrow>(run: &[Sphere], first: usize, end: usize) -> Option<Node<S>> {
-    let center = run.iter().fold(Bounds::NONE, Bounds::with).center();
+    let center = run.iter().fold(Bounds::NONE, Bounds::with_sphere).center();
     let reach = |sphere: &Sphere| {
         let square: f64 = sphere.position.iter().zip(center).map(|(c, of)| (c - of) * (c - of)).sum();
         square.sqrt() + sphere.radius
@@ -115,21 +83,21 @@ fn best_cut(run: &[Sphere]) -> Option<usize> {
     let mut behind = Vec::with_capacity(run.len());
     let mut bounds = Bounds::NONE;
     for sphere in run.iter().rev() {
-        bounds = bounds.with(sphere);
-        behind.push(bounds.surface());
+        bounds = bounds.with_sphere(sphere);
+        behind.push(bounds.diagonal());
     }
-    let whole = bounds.surface();
+    let whole = bounds.diagonal();
     let (mut bounds, mut best) = (Bounds::NONE, (None, whole * count(run.len())));
     // Cutting a few spheres off a long list again and again would take time with the square of its length.
     let least = if run.len() > LONG { run.len() / 8 } else { 1 };
     for (cut, sphere) in (1..run.len()).zip(run) {
-        bounds = bounds.with(sphere);
+        bounds = bounds.with_sphere(sphere);
         let after = run.len() - cut;
         if cut.min(after) < least {
             continue;
         }
         let last = behind.get(after - 1).copied().unwrap_or(whole);
-        let cost = 2.0 * NODE * whole + bounds.surface() * count(cut) + last * count(after);
+        let cost = 2.0 * NODE * whole + bounds.diagonal() * count(cut) + last * count(after);
         if cost < best.1 {
             best = (Some(cut), cost);
         }

@@ -1,0 +1,117 @@
+//! The triangle: its plane, and three planes that stand on it along the edges.
+//!
+//! The ray is looked at from beside a corner, so that nothing is larger than the triangle, and what lies on an edge
+//! belongs to both triangles that share it.
+
+use super::Spot;
+use crate::color::Rgb;
+use crate::material::Material;
+use crate::needs::Needs;
+use crate::ray::Ray;
+use crate::scalar::{Scalar, Unit};
+use crate::vector::{LengthVector, UnitVec3, UnitVector, Vec3};
+
+/// A triangle, seen from both sides.
+#[derive(Clone, Copy, Debug)]
+pub struct Triangle<S: Scalar> {
+    /// The first vertex.
+    pub corner: Vec3<S>,
+    /// The longer one of the edges that meet in it.
+    pub extent: S,
+    /// Unit normal on the outside, from where the vertices run counterclockwise.
+    pub normal: UnitVec3<S>,
+    /// For each vertex, the unit vector in the plane towards it that is normal to the opposite edge.
+    pub inward: [UnitVec3<S>; 3],
+    /// How far each vertex is from the opposite edge.
+    pub heights: [S; 3],
+    /// Unit normals at the vertices of a surface that is shaded as if it were curved (Phong 1975).
+    pub normals: Option<[UnitVec3<S>; 3]>,
+    /// Reflectance of the surface.
+    pub color: Rgb<S::Unit>,
+    /// What the surface does with light.
+    pub material: Material<S>,
+}
+
+impl<S: Scalar> Triangle<S> {
+    /// Distance of the hit in ]0, `t_max`[.
+    #[inline]
+    pub fn intersect(&self, ray: &Ray<S>, t_max: S) -> Option<S> {
+        self.meet(ray, t_max).map(|(t, _)| t)
+    }
+
+    /// The distance of the hit, and its place relative to the corner.
+    #[inline]
+    fn meet(&self, ray: &Ray<S>, t_max: S) -> Option<(S, Vec3<S>)> {
+        let displacement = self.corner - ray.origin;
+        let b = displacement.dot(ray.direction);
+        if b + self.extent <= S::ZERO || b - self.extent >= t_max {
+            return None;
+        }
+        // What this and the neighbours' tests can be wrong together.
+        let reach = self.extent.swollen(b);
+        let slack = self.extent - reach;
+        let foot = displacement.reject(ray.direction, b);
+        if foot.norm_squared() > reach.square() {
+            return None;
+        }
+        // From beside the corner along the ray to the plane.
+        let (height, cosine) = (foot.dot(self.normal), self.normal.dot(ray.direction));
+        let (rise, is_ahead) = (if height < S::ZERO { -height } else { height }, height > S::ZERO);
+        let way = if cosine > S::Unit::ZERO {
+            let way = rise.over(cosine);
+            if is_ahead { way } else { -way }
+        } else if cosine < S::Unit::ZERO {
+            let way = rise.over(-cosine);
+            if is_ahead { -way } else { way }
+        } else {
+            return None;
+        };
+        if way > reach || way < -reach {
+            return None;
+        }
+        let t = b + way;
+        if !(t > S::ZERO && t < t_max) {
+            return None;
+        }
+        let place = (-foot).along(ray.direction, way);
+        let [first, second, third] = self.inward;
+        let inside = self.heights[0] + place.dot(first) >= slack
+            && place.dot(second) >= slack
+            && place.dot(third) >= slack;
+        inside.then_some((t, place))
+    }
+
+    /// The surface where [`Triangle::intersect`] found the distance `t`.
+    pub fn spot<N: Needs>(&self, ray: &Ray<S>, t: S) -> Spot<S> {
+        let Some((distance, place)) = self.meet(ray, S::FAR) else {
+            return Spot { distance: t, point: ray.origin.along(ray.direction, t), normal: self.normal };
+        };
+        // Back into the plane by what the roundings have left.
+        let place = place.reject(self.normal, place.dot(self.normal));
+        let mut normal = self.normal;
+        if N::NORMALS
+            && let Some(normals) = self.normals
+            && let Some(curved) = self.curved(place, normals)
+            // Where the curve turns away from an eye that sees the triangle, it is flat.
+            && (curved.dot(ray.direction) > S::Unit::ZERO) == (normal.dot(ray.direction) > S::Unit::ZERO)
+        {
+            normal = curved;
+        }
+        Spot { distance, point: self.corner + place, normal }
+    }
+
+    /// The vertices' normals, mixed by how near the place is to each.
+    fn curved(&self, place: Vec3<S>, [first, second, third]: [UnitVec3<S>; 3]) -> Option<UnitVec3<S>> {
+        let part = |away: S, height: S| {
+            let away = if away < S::ZERO { S::ZERO } else { away };
+            if away < height { away.fraction(height.inverse()) } else { S::Unit::ONE }
+        };
+        let [_, over_second, over_third] = self.heights;
+        let (b, c) =
+            (part(place.dot(self.inward[1]), over_second), part(place.dot(self.inward[2]), over_third));
+        let a = S::Unit::ONE - b - c;
+        let half = S::Unit::ratio(1, 2);
+        let mixed = first.scale(a.times(half)).plus(second, b.times(half)).plus(third, c.times(half));
+        mixed.normalize().map(|(normal, _)| normal)
+    }
+}

@@ -1,0 +1,270 @@
+//! Builds the hierarchy of boxes: top down by the surface area heuristic over sixteen bins (I. Wald, "On fast Construction
+//! of SAH-based Bounding Volume Hierarchies", 2007), in pairs; then pairs of pairs become nodes of four.
+
+use rta_core::bvh::{Boxes, Child, Item, MAX_DEPTH};
+
+use super::Narrow;
+use super::bounds::Bounds;
+use crate::description::Description;
+use crate::space::{difference, length};
+
+/// Fewer objects than this are as quickly tried one after another, or by a hierarchy of spheres.
+const FEWEST: usize = 100;
+/// The same where there are cones or triangles.
+const FEWEST_OTHERS: usize = 8;
+/// What testing the boxes of a pair costs, in spheres.
+const PAIR: f64 = 0.6;
+/// The most objects in a leaf.
+const LEAF: usize = 8;
+const BINS: usize = 16;
+/// Levels of pairs: two make one of nodes.
+const MAX_PAIRS: usize = 2 * MAX_DEPTH - 1;
+
+/// A hierarchy in one number format.
+pub(super) struct Built<S: rta_core::Scalar> {
+    pub(super) nodes: Vec<Boxes<S>>,
+    pub(super) items: Vec<Item>,
+    pub(super) size: S,
+}
+
+/// An object.
+#[derive(Clone, Copy)]
+struct Solid {
+    bounds: Bounds,
+    center: [f64; 3],
+    cost: f64,
+    item: Item,
+}
+
+enum Tree {
+    Leaf(Bounds, Vec<Item>),
+    Pair(Bounds, Box<[Tree; 2]>),
+}
+
+impl Tree {
+    const fn bounds(&self) -> &Bounds {
+        match self {
+            Self::Leaf(bounds, _) | Self::Pair(bounds, _) => bounds,
+        }
+    }
+}
+
+/// The hierarchy of a scene; none where there are few objects, or where the number format has no room for it.
+pub(super) fn build<S: Narrow>(scene: &Description) -> Built<S> {
+    let none = Built { nodes: Vec::new(), items: Vec::new(), size: S::ZERO };
+    let others = scene.cones.len() + scene.triangles.len();
+    let count = scene.spheres.len() + scene.ellipsoids.len() + others;
+    if count < if others > 0 { FEWEST_OTHERS } else { FEWEST } || u32::try_from(count).is_err() {
+        return none;
+    }
+    let mut solids = solids(scene);
+    let whole = solids.iter().fold(Bounds::NONE, |bounds, solid| bounds.with(&solid.bounds));
+    if whole.largest() > S::largest() / 2.0 {
+        return none;
+    }
+    let tree = tree(&mut solids, 0);
+    let mut built = Built { size: S::length(whole.largest()), ..none };
+    let depth = emit(&tree, true, &mut built);
+    if depth > MAX_DEPTH {
+        built.nodes.clear();
+        built.items.clear();
+        emit(&tree, false, &mut built);
+    }
+    built
+}
+
+fn solids(scene: &Description) -> Vec<Solid> {
+    let number = |i: usize| u32::try_from(i).unwrap_or(u32::MAX);
+    let solid = |bounds: Bounds, cost: f64, item: Item| Solid { center: bounds.center(), bounds, cost, item };
+    let spheres = scene
+        .spheres
+        .iter()
+        .enumerate()
+        .map(|(i, s)| solid(Bounds::about(s.position, [s.radius; 3]), 1.0, Item::Sphere(number(i))));
+    let ellipsoids = scene
+        .ellipsoids
+        .iter()
+        .enumerate()
+        .map(|(i, e)| solid(Bounds::about(e.position, e.radii), 3.0, Item::Ellipsoid(number(i))));
+    let cones = scene.cones.iter().enumerate().map(|(i, c)| {
+        // A disc reaches as far along an axis as that is across the disc's own.
+        let way = difference(c.apex, c.base);
+        let height = length(way);
+        let disc = |radius: f64| {
+            way.map(|along| radius * (1.0 - (along / height) * (along / height)).max(0.0).sqrt())
+        };
+        let ends = [Bounds::about(c.base, disc(c.base_radius)), Bounds::about(c.apex, disc(c.apex_radius))];
+        let [base, apex] = ends;
+        solid(base.with(&apex), 3.0, Item::Cone(number(i)))
+    });
+    let triangles = scene.triangles.iter().enumerate().map(|(i, t)| {
+        let corner = |bounds: Bounds, v: &[f64; 3]| bounds.with(&Bounds::about(*v, [0.0; 3]));
+        solid(t.vertices.iter().fold(Bounds::NONE, corner), 1.5, Item::Triangle(number(i)))
+    });
+    spheres.chain(ellipsoids).chain(cones).chain(triangles).collect()
+}
+
+/// The tree over some objects, `level` pairs below the root.
+fn tree(solids: &mut [Solid], level: usize) -> Tree {
+    let bounds = solids.iter().fold(Bounds::NONE, |bounds, solid| bounds.with(&solid.bounds));
+    let whole: f64 = solids.iter().map(|solid| solid.cost).sum();
+    // Halves from here on fit into what levels are left.
+    let halves = usize::BITS as usize - solids.len().leading_zeros() as usize;
+    let cut = if level + halves >= MAX_PAIRS { None } else { best_cut(solids, &bounds) };
+    let leaf = |solids: &[Solid]| Tree::Leaf(bounds, solids.iter().map(|solid| solid.item).collect());
+    let middle = match cut {
+        Some(cut) if cut.cost + PAIR < whole || solids.len() > LEAF => {
+            partition(solids, |solid| cut.is_before(solid))
+        }
+        _ if solids.len() <= LEAF => return leaf(solids),
+        _ => halve(solids),
+    };
+    // A cut that rounding has undone.
+    let middle = if middle == 0 || middle == solids.len() { halve(solids) } else { middle };
+    let (first, second) = solids.split_at_mut(middle);
+    Tree::Pair(bounds, Box::new([tree(first, level + 1), tree(second, level + 1)]))
+}
+
+/// Puts the smaller half of the centres along the longest side first.
+fn halve(solids: &mut [Solid]) -> usize {
+    let centers = solids.iter().fold(Bounds::NONE, |b, s| b.with(&Bounds::about(s.center, [0.0; 3])));
+    let axis = centers.longest();
+    let middle = solids.len() / 2;
+    let along = |solid: &Solid| solid.center.get(axis).copied().unwrap_or(0.0);
+    solids.select_nth_unstable_by(middle, |a, b| along(a).total_cmp(&along(b)));
+    middle
+}
+
+/// Puts those first for which `is_first` is true, and says how many.
+fn partition(solids: &mut [Solid], is_first: impl Fn(&Solid) -> bool) -> usize {
+    let mut count = 0;
+    for i in 0..solids.len() {
+        if solids.get(i).is_some_and(&is_first) {
+            solids.swap(i, count);
+            count += 1;
+        }
+    }
+    count
+}
+
+/// Objects whose centres lie in a bin below `bin` go first.
+struct Cut {
+    axis: usize,
+    bin: usize,
+    low: f64,
+    scale: f64,
+    cost: f64,
+}
+
+impl Cut {
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // within the bins
+    fn bin(axis: usize, low: f64, scale: f64, solid: &Solid) -> usize {
+        let c = solid.center.get(axis).copied().unwrap_or(low);
+        (((c - low) * scale) as usize).min(BINS - 1)
+    }
+
+    fn is_before(&self, solid: &Solid) -> bool {
+        Self::bin(self.axis, self.low, self.scale, solid) < self.bin
+    }
+}
+
+/// The cheapest cut between two bins of the centres, along any axis; nothing where all centres are in one place.
+#[allow(clippy::cast_precision_loss)] // sixteen
+fn best_cut(solids: &[Solid], bounds: &Bounds) -> Option<Cut> {
+    let centers = solids.iter().fold(Bounds::NONE, |b, s| b.with(&Bounds::about(s.center, [0.0; 3])));
+    let surface = bounds.surface().max(f64::MIN_POSITIVE);
+    let mut best: Option<Cut> = None;
+    for (axis, (&low, high)) in centers.low.iter().zip(centers.high).enumerate() {
+        let scale = BINS as f64 / (high - low);
+        if !(high > low && scale.is_finite()) {
+            continue;
+        }
+        let mut bins = [(Bounds::NONE, 0.0); BINS];
+        for solid in solids {
+            if let Some((bounds, cost)) = bins.get_mut(Cut::bin(axis, low, scale, solid)) {
+                *bounds = bounds.with(&solid.bounds);
+                *cost += solid.cost;
+            }
+        }
+        // The bins from each one on.
+        let mut behind = [(0.0, 0.0); BINS];
+        let (mut bounds, mut cost) = (Bounds::NONE, 0.0);
+        for (behind, bin) in behind.iter_mut().zip(&bins).rev() {
+            bounds = bounds.with(&bin.0);
+            cost += bin.1;
+            *behind = (if cost > 0.0 { bounds.surface() } else { 0.0 }, cost);
+        }
+        let (mut bounds, mut cost) = (Bounds::NONE, 0.0);
+        for (bin, (before, after)) in (1..BINS).zip(bins.iter().zip(behind.iter().skip(1))) {
+            bounds = bounds.with(&before.0);
+            cost += before.1;
+            if cost == 0.0 || after.1 == 0.0 {
+                continue;
+            }
+            let total = (bounds.surface() * cost + after.0 * after.1) / surface;
+            if best.as_ref().is_none_or(|best| total < best.cost) {
+                best = Some(Cut { axis, bin, low, scale, cost: total });
+            }
+        }
+    }
+    best
+}
+
+/// Writes a tree as nodes of four, preorder, and says how many levels they have. The largest of a node's children are
+/// opened until there are four; or else each of the two, once, so that a node is two levels of the tree.
+fn emit<S: Narrow>(tree: &Tree, by_size: bool, built: &mut Built<S>) -> usize {
+    let mut children: Vec<&Tree> = vec![tree];
+    let opened = |children: &mut Vec<&Tree>, at: usize| {
+        if let Some(Tree::Pair(_, pair)) = children.get(at).copied() {
+            let [first, second] = &**pair;
+            children.splice(at..=at, [first, second]);
+        }
+    };
+    opened(&mut children, 0);
+    if by_size {
+        while children.len() < 4 {
+            let pairs = children.iter().enumerate().filter(|(_, child)| matches!(child, Tree::Pair(..)));
+            let sizes = pairs.map(|(at, child)| (at, child.bounds().surface()));
+            let Some((at, _)) = sizes.max_by(|a, b| a.1.total_cmp(&b.1)) else { break };
+            opened(&mut children, at);
+        }
+    } else {
+        for at in (0..children.len()).rev() {
+            opened(&mut children, at);
+        }
+    }
+    let number = built.nodes.len();
+    let (mut low, mut high) = ([[S::ZERO; 4]; 3], [[S::ZERO; 4]; 3]);
+    for (slot, child) in children.iter().enumerate() {
+        let bounds = child.bounds();
+        for (sides, of) in [(&mut low, bounds.low), (&mut high, bounds.high)] {
+            for (row, c) in sides.iter_mut().zip(of) {
+                // What is not used is a copy of the first: no number in it is out of the scene.
+                for place in row.iter_mut().skip(slot) {
+                    *place = S::length(c);
+                }
+            }
+        }
+    }
+    built.nodes.push(Boxes { low, high, children: [Child::Empty; 4] });
+    let as_number = |index: usize| u32::try_from(index).unwrap_or(u32::MAX);
+    let mut kinds = [Child::Empty; 4];
+    for (kind, child) in kinds.iter_mut().zip(&children) {
+        if let Tree::Leaf(_, items) = child {
+            let count = u16::try_from(items.len()).unwrap_or(u16::MAX);
+            *kind = Child::Leaf(as_number(built.items.len()), count);
+            built.items.extend(items);
+        }
+    }
+    let mut depth = 0;
+    for (kind, child) in kinds.iter_mut().zip(&children) {
+        if let Tree::Pair(..) = child {
+            *kind = Child::Node(as_number(built.nodes.len()));
+            depth = depth.max(emit(child, by_size, built));
+        }
+    }
+    if let Some(node) = built.nodes.get_mut(number) {
+        node.children = kinds;
+    }
+    depth + 1
+}
