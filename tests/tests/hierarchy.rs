@@ -57,7 +57,17 @@ fn medley(count: usize, spread: f64, seed: u64) -> Description {
         let radii = [radius, 0.2 * radius, 0.0];
         let (base_radius, apex_radius) = (radii[rng.usize(..2)], radii[rng.usize(..3)]);
         let (capped, inside_only) = (rng.bool(), rng.u8(..4) == 0);
-        scene.cones.push(Cone { base, base_radius, apex, apex_radius, capped, inside_only, color, surface, line });
+        scene.cones.push(Cone {
+            base,
+            base_radius,
+            apex,
+            apex_radius,
+            capped,
+            inside_only,
+            color,
+            surface,
+            line,
+        });
         let radii = [radius, 0.5 * radius, 0.7 * radius];
         scene.ellipsoids.push(Ellipsoid { position: base, radii, color, surface, line });
     }
