@@ -3,7 +3,6 @@
 /// A place or a direction.
 pub(crate) type Triple = [f64; 3];
 
-#[allow(dead_code)]
 pub(crate) fn difference(a: Triple, b: Triple) -> Triple {
     let ([ax, ay, az], [bx, by, bz]) = (a, b);
     [ax - bx, ay - by, az - bz]
@@ -19,7 +18,6 @@ pub(crate) fn cross(a: Triple, b: Triple) -> Triple {
 }
 
 /// The length, without leaving the range of `f64` on the way.
-#[allow(dead_code)]
 pub(crate) fn length(v: Triple) -> f64 {
     let greatest = v.iter().fold(0.0_f64, |most, c| most.max(c.abs()));
     if greatest > 0.0 && greatest.is_finite() {
