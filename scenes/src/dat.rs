@@ -230,7 +230,8 @@ impl Reader<'_> {
                     let found = Found::Number(format!("ks + kt = {ks} + {kt}"));
                     return Err(self.0.error(line, column, expected, found));
                 }
-                let ior = self.0.number(format_args!("the index of refraction of {which}"), Range::Positive)?;
+                let ior =
+                    self.0.number(format_args!("the index of refraction of {which}"), Range::Positive)?;
                 Ok(Surface::Transparent { ks, kt, ior })
             }
         }

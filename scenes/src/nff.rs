@@ -182,7 +182,12 @@ impl Reader<'_> {
         let focal = 0.5 / ((angle.to_radians() / 2.0).tan() * whole);
         if !focal.is_finite() {
             let found = Found::Number(Numbers(&[angle]).to_string());
-            return Err(self.tokens.error(line, column, "an angle that is not next to nothing".into(), found));
+            return Err(self.tokens.error(
+                line,
+                column,
+                "an angle that is not next to nothing".into(),
+                found,
+            ));
         }
         let camera = Camera { eye: from, view, focal, side: Side::Height, up: Some(up) };
         self.viewpoint = Some(Viewpoint { camera, raster: [width, height], line: entity.line });
@@ -230,7 +235,11 @@ impl Reader<'_> {
         let place = self.tokens.place();
         let apex = self.tokens.vector(AXES, format_args!("the apex of cone {which}"), Range::Any)?;
         if apex == base {
-            return Err(self.vector_error(place, format_args!("the apex of cone {which} (not its base)"), apex));
+            return Err(self.vector_error(
+                place,
+                format_args!("the apex of cone {which} (not its base)"),
+                apex,
+            ));
         }
         let (line_of_radius, column) = self.tokens.place();
         let apex_radius = self.tokens.number(format_args!("the apex radius of cone {which}"), Range::Any)?;

@@ -93,12 +93,7 @@ impl Tokens<'_> {
     }
 
     /// A number of digits alone, from `least` to `most`.
-    pub(crate) fn whole(
-        &mut self,
-        expected: impl Display,
-        least: u32,
-        most: u32,
-    ) -> Result<u32, SceneError> {
+    pub(crate) fn whole(&mut self, expected: impl Display, least: u32, most: u32) -> Result<u32, SceneError> {
         self.parse(expected, |text| text.parse().ok().filter(|number| (least..=most).contains(number)))
     }
 

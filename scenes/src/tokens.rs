@@ -13,7 +13,8 @@ pub(crate) struct Token<'a> {
 impl Token<'_> {
     /// Whether this is meant as a number, well formed or not.
     pub(crate) fn is_like_a_number(&self) -> bool {
-        self.text.starts_with(|c: char| c.is_ascii_digit() || "+-.".contains(c)) || self.text.parse::<f64>().is_ok()
+        self.text.starts_with(|c: char| c.is_ascii_digit() || "+-.".contains(c))
+            || self.text.parse::<f64>().is_ok()
     }
 }
 

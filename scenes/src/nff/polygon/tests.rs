@@ -122,8 +122,7 @@ fn spikes_combs_and_holes_are_covered() {
 #[test]
 fn size_and_place_play_no_part() {
     for scale in [1e-300, 1e-9, 1e9, 1e300] {
-        let corners: Vec<Triple> =
-            flat(&L).iter().map(|corner| corner.map(|c| (c - 1.5) * scale)).collect();
+        let corners: Vec<Triple> = flat(&L).iter().map(|corner| corner.map(|c| (c - 1.5) * scale)).collect();
         let expected = cut(&flat(&L)).expect("it has an area").triangles;
         assert_eq!(cut(&corners).expect("it has an area").triangles, expected, "{scale}");
     }
