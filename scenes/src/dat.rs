@@ -27,6 +27,7 @@ use core::fmt::{self, Display, Write};
 
 use crate::description::{Camera, Cylinder, Description, Ellipsoid, Floor, Lamp, Sky, Sphere, Surface};
 use crate::error::{Found, SceneError};
+use crate::numbers::{AXES, Numbers, Range};
 use crate::tokens::Tokens;
 
 /// Most objects of one kind that a file may hold: the tracer numbers them with 16 bits.
@@ -51,34 +52,34 @@ pub fn read(text: &[u8], name: &str) -> Result<Description, SceneError> {
     let camera = reader.camera()?;
     let cylinders = reader.list("cylinder", |reader, which| {
         let (line, position, color) = reader.place_and_color(which)?;
-        let radius = reader.number(format_args!("the radius of {which}"), Range::Positive)?;
+        let radius = reader.0.number(format_args!("the radius of {which}"), Range::Positive)?;
         let surface = reader.surface(which)?;
         Ok(Cylinder { position, color, radius, surface, line })
     })?;
     let ellipsoids = reader.list("ellipsoid", |reader, which| {
         let (line, position, color) = reader.place_and_color(which)?;
-        let radii = reader.vector(["x radius", "y radius", "z radius"], which, Range::Positive)?;
+        let radii = reader.0.vector(["x radius", "y radius", "z radius"], which, Range::Positive)?;
         let surface = reader.surface(which)?;
         Ok(Ellipsoid { position, color, radii, surface, line })
     })?;
     let spheres = reader.list("sphere", |reader, which| {
         let (line, position, color) = reader.place_and_color(which)?;
-        let radius = reader.number(format_args!("the radius of {which}"), Range::Positive)?;
+        let radius = reader.0.number(format_args!("the radius of {which}"), Range::Positive)?;
         let surface = reader.surface(which)?;
         Ok(Sphere { position, color, radius, surface, line })
     })?;
     let lamps = reader.list("lamp", |reader, which| {
         let (line, position, color) = reader.place_and_color(which)?;
-        let radius = reader.number(format_args!("the radius of {which}"), Range::NotNegative)?;
+        let radius = reader.0.number(format_args!("the radius of {which}"), Range::NotNegative)?;
         Ok(Lamp { position, color, radius, line })
     })?;
     let floor = Some(Floor {
-        colors: [reader.color("the first floor colour")?, reader.color("the second floor colour")?],
+        colors: [reader.0.color("the first floor colour")?, reader.0.color("the second floor colour")?],
     });
-    let ambient = reader.color("the ambient light")?;
+    let ambient = reader.0.color("the ambient light")?;
     let sky = Sky {
-        horizon: reader.color("the colour of the horizon")?,
-        zenith: reader.color("the colour of the zenith")?,
+        horizon: reader.0.color("the colour of the horizon")?,
+        zenith: reader.0.color("the colour of the zenith")?,
     };
     reader.end()?;
     Ok(Description {
@@ -171,69 +172,19 @@ impl Display for Type<'_> {
     }
 }
 
-/// Numbers with a space between them, each in the fewest digits that read back as the same `f64`.
-struct Numbers<'a>(&'a [f64]);
-
-impl Display for Numbers<'_> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        for (index, number) in self.0.iter().enumerate() {
-            let space = if index == 0 { "" } else { " " };
-            match number.abs() {
-                // 1e300 in full would be 301 digits.
-                size if size >= 1e15 || (size < 1e-9 && size > 0.0) => write!(f, "{space}{number:e}")?,
-                _ => write!(f, "{space}{number}")?,
-            }
-        }
-        Ok(())
-    }
-}
-
-/// What a number may be.
-#[derive(Clone, Copy)]
-enum Range {
-    Any,
-    Positive,
-    NotNegative,
-    /// From 0 to 1.
-    Share,
-}
-
-impl Range {
-    fn holds(self, number: f64) -> bool {
-        match self {
-            Self::Any => true,
-            Self::Positive => number > 0.0,
-            Self::NotNegative => number >= 0.0,
-            Self::Share => (0.0..=1.0).contains(&number),
-        }
-    }
-}
-
-impl Display for Range {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Any => "a number",
-            Self::Positive => "a number > 0",
-            Self::NotNegative => "a number >= 0",
-            Self::Share => "a number from 0 to 1",
-        })
-    }
-}
-
 /// The pieces of the file, read as what the format wants next.
 struct Reader<'a>(Tokens<'a>);
 
 impl Reader<'_> {
     fn camera(&mut self) -> Result<Camera, SceneError> {
-        let axes = ["x", "y", "z"];
-        let eye = self.vector(axes, "the observer position", Range::Any)?;
+        let eye = self.0.vector(AXES, "the observer position", Range::Any)?;
         let (line, column) = self.0.place();
-        let view = self.vector(axes, "the direction of view", Range::Any)?;
+        let view = self.0.vector(AXES, "the direction of view", Range::Any)?;
         if view.iter().all(|part| *part == 0.0) {
             let found = Found::Number(Numbers(&view).to_string());
             return Err(self.0.error(line, column, "the direction of view (not zero)".into(), found));
         }
-        let focal = self.number("the focal distance", Range::Positive)?;
+        let focal = self.0.number("the focal distance", Range::Positive)?;
         Ok(Camera::upright(eye, view, focal))
     }
 
@@ -243,9 +194,9 @@ impl Reader<'_> {
         kind: &str,
         each: impl Fn(&mut Self, fmt::Arguments<'_>) -> Result<T, SceneError>,
     ) -> Result<Vec<T>, SceneError> {
-        let most = u64::from(MOST_OBJECTS);
+        let most = u32::from(MOST_OBJECTS);
         let count =
-            self.whole(format_args!("the number of {kind}s (a whole number from 0 to {most})"), most)?;
+            self.0.whole(format_args!("the number of {kind}s (a whole number from 0 to {most})"), 0, most)?;
         let mut objects = Vec::new();
         for index in 1..=count {
             objects.push(each(self, format_args!("{kind} {index} of {count}"))?);
@@ -259,71 +210,31 @@ impl Reader<'_> {
         which: impl Display + Copy,
     ) -> Result<(u32, [f64; 3], [f64; 3]), SceneError> {
         let (line, _) = self.0.place();
-        let position = self.vector(["x", "y", "z"], format_args!("the position of {which}"), Range::Any)?;
-        let color = self.color(format_args!("the colour of {which}"))?;
+        let position = self.0.vector(AXES, format_args!("the position of {which}"), Range::Any)?;
+        let color = self.0.color(format_args!("the colour of {which}"))?;
         Ok((line, position, color))
     }
 
-    fn color(&mut self, what: impl Display + Copy) -> Result<[f64; 3], SceneError> {
-        self.vector(["red", "green", "blue"], what, Range::NotNegative)
-    }
-
-    fn vector(
-        &mut self,
-        [x, y, z]: [&str; 3],
-        what: impl Display,
-        range: Range,
-    ) -> Result<[f64; 3], SceneError> {
-        Ok([
-            self.number(format_args!("the {x} of {what}"), range)?,
-            self.number(format_args!("the {y} of {what}"), range)?,
-            self.number(format_args!("the {z} of {what}"), range)?,
-        ])
-    }
-
     fn surface(&mut self, which: impl Display) -> Result<Surface, SceneError> {
-        match self.whole(format_args!("the type of {which} (0, 1, 2 or 3)"), 3)? {
+        match self.0.whole(format_args!("the type of {which} (0, 1, 2 or 3)"), 0, 3)? {
             0 => Ok(Surface::Opaque),
             1 => Ok(Surface::Shiny),
             2 => Ok(Surface::Mirror),
             _ => {
-                let ks = self.number(format_args!("the ks of {which}"), Range::Share)?;
+                let ks = self.0.number(format_args!("the ks of {which}"), Range::Share)?;
                 let (line, column) = self.0.place();
-                let kt = self.number(format_args!("the kt of {which}"), Range::Share)?;
+                let kt = self.0.number(format_args!("the kt of {which}"), Range::Share)?;
                 // The sum itself is rounded, by far less than 1e-15.
                 if (ks + kt - 1.0).abs() > SHARES_TOLERANCE + 1e-15 {
                     let expected = format!("the kt of {which} (ks + kt = 1 within {SHARES_TOLERANCE:e})");
                     let found = Found::Number(format!("ks + kt = {ks} + {kt}"));
                     return Err(self.0.error(line, column, expected, found));
                 }
-                let ior = self.number(format_args!("the index of refraction of {which}"), Range::Positive)?;
+                let ior =
+                    self.0.number(format_args!("the index of refraction of {which}"), Range::Positive)?;
                 Ok(Surface::Transparent { ks, kt, ior })
             }
         }
-    }
-
-    fn number(&mut self, what: impl Display, range: Range) -> Result<f64, SceneError> {
-        self.parse(format_args!("{what} ({range})"), |text| {
-            text.parse().ok().filter(|number: &f64| number.is_finite() && range.holds(*number))
-        })
-    }
-
-    /// A number of digits alone, at most `most`.
-    fn whole(&mut self, expected: impl Display, most: u64) -> Result<u64, SceneError> {
-        self.parse(expected, |text| text.parse().ok().filter(|number| *number <= most))
-    }
-
-    fn parse<T>(
-        &mut self,
-        expected: impl Display,
-        meaning: impl Fn(&str) -> Option<T>,
-    ) -> Result<T, SceneError> {
-        let (line, column) = self.0.place();
-        let token = self.0.next();
-        token.and_then(|token| meaning(token.text)).ok_or_else(|| {
-            let found = token.map_or(Found::EndOfFile, |token| Found::token(token.text));
-            self.0.error(line, column, expected.to_string(), found)
-        })
     }
 
     /// Nothing may follow the scene.

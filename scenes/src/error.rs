@@ -28,6 +28,8 @@ pub enum Found {
     Number(String),
     /// Something that is no number at all.
     NotANumber(String),
+    /// Something other than the word that should stand there.
+    Word(String),
     /// A number that is infinite, undefined, or too large for `f64`.
     NotFinite(String),
     /// The file ends here.
@@ -52,6 +54,14 @@ impl Found {
         }
     }
 
+    /// The same where a word is expected, not a number.
+    pub(crate) fn word(token: &str) -> Self {
+        match Self::token(token) {
+            Self::NotANumber(shown) => Self::Word(shown),
+            number => number,
+        }
+    }
+
     fn show(token: &str) -> String {
         let mut shown: String = token.chars().take(Self::LONGEST).flat_map(char::escape_debug).collect();
         if token.chars().nth(Self::LONGEST).is_some() {
@@ -66,6 +76,7 @@ impl fmt::Display for Found {
         match self {
             Self::Number(text) => write!(f, "{text}"),
             Self::NotANumber(text) => write!(f, "\"{text}\", not a number"),
+            Self::Word(text) => write!(f, "\"{text}\""),
             Self::NotFinite(text) => write!(f, "{text}, not a finite number"),
             Self::EndOfFile => write!(f, "end of file"),
             Self::EmptyFile => write!(f, "an empty file"),

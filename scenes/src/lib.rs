@@ -22,6 +22,8 @@ pub mod dat;
 pub mod description;
 pub mod error;
 pub mod narrow;
+pub mod nff;
+mod numbers;
 pub mod shipped;
 mod space;
 mod tokens;

@@ -10,6 +10,14 @@ pub(crate) struct Token<'a> {
     pub(crate) column: u32,
 }
 
+impl Token<'_> {
+    /// Whether this is meant as a number, well formed or not.
+    pub(crate) fn is_like_a_number(&self) -> bool {
+        self.text.starts_with(|c: char| c.is_ascii_digit() || "+-.".contains(c))
+            || self.text.parse::<f64>().is_ok()
+    }
+}
+
 /// The text still to be read, and where that begins.
 #[derive(Clone, Debug)]
 pub(crate) struct Tokens<'a> {
