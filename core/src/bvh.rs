@@ -7,6 +7,8 @@
 //! A box is never missed that holds something the ray meets: each plane is moved outwards by [`Scalar::margin`], more than
 //! the object, its test and this one can be wrong together.
 
+use core::fmt;
+
 use heapless::Vec;
 
 use crate::ray::Ray;
@@ -31,24 +33,69 @@ pub enum Item {
     Triangle(u32),
 }
 
-/// What is in one of a node's boxes.
+/// What is in one of a node's boxes: nothing, another node, which comes later in the list, or a run of the items.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub struct Child(u32);
+
+/// The same to be looked at.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Child {
-    /// Nothing.
+enum Kind {
     Empty,
-    /// Another node, which comes later in the list.
     Node(u32),
-    /// A run of the items: the first, and how many.
-    Leaf(u32, u16),
+    Leaf(usize, usize),
+}
+
+impl Child {
+    /// Nothing.
+    pub const EMPTY: Self = Self(u32::MAX);
+    /// The most items in a leaf.
+    pub const MAX_COUNT: u32 = 14;
+    /// The most items in all.
+    pub const MAX_ITEMS: u32 = 1 << Self::FIRST_BITS;
+    const FIRST_BITS: u32 = 27;
+    const LEAF: u32 = 1 << 31;
+
+    /// A node by its number, below 2^31; nothing where it is not.
+    pub const fn node(number: u32) -> Self {
+        if number < Self::LEAF { Self(number) } else { Self::EMPTY }
+    }
+
+    /// A run of `count` items from the item `first` on; nothing where there are too many.
+    pub const fn leaf(first: u32, count: u32) -> Self {
+        if first >= Self::MAX_ITEMS || count > Self::MAX_COUNT {
+            return Self::EMPTY;
+        }
+        Self(Self::LEAF | count << Self::FIRST_BITS | first)
+    }
+
+    fn kind(self) -> Kind {
+        if self.0 & Self::LEAF == 0 {
+            Kind::Node(self.0)
+        } else if self == Self::EMPTY {
+            Kind::Empty
+        } else {
+            let first = self.0 & (Self::MAX_ITEMS - 1);
+            Kind::Leaf(index(first), index(self.0 >> Self::FIRST_BITS & 15))
+        }
+    }
+}
+
+/// As an expression.
+impl fmt::Debug for Child {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.kind() {
+            Kind::Empty => f.write_str("Child::EMPTY"),
+            Kind::Node(number) => write!(f, "Child::node({number})"),
+            Kind::Leaf(first, count) => write!(f, "Child::leaf({first}, {count})"),
+        }
+    }
 }
 
 /// A node: four boxes.
 #[derive(Clone, Copy, Debug)]
 pub struct Boxes<S: Scalar> {
-    /// Least x of the boxes, least y, least z.
-    pub low: [[S; 4]; 3],
-    /// Greatest x of the boxes, greatest y, greatest z.
-    pub high: [[S; 4]; 3],
+    /// For x, y and z: the least of each box, and the greatest.
+    pub planes: [[[S; 4]; 2]; 3],
     /// What is in them.
     pub children: [Child; 4],
 }
@@ -67,14 +114,13 @@ pub struct Bvh<'a, S: Scalar> {
 /// A ray made ready for many boxes.
 #[derive(Clone, Copy, Debug)]
 pub struct Slabs<S: Scalar> {
-    /// Where it starts.
-    pub origin: [S; 3],
-    /// The reciprocals of its direction's sizes.
+    /// For x, y and z: from where the way is to the plane that it enters by, and to the one that it leaves by: where it
+    /// starts, moved by the margin.
+    pub starts: [[S; 2]; 3],
+    /// The reciprocals of its direction.
     pub inverse: [<S::Unit as Unit>::Inverse; 3],
-    /// Whether it goes down.
-    pub backwards: [bool; 3],
-    /// How far the planes are moved outwards.
-    pub margin: S,
+    /// Which plane it enters by: 0 is the least.
+    pub entry: [usize; 3],
 }
 
 impl<S: Scalar> Slabs<S> {
@@ -82,37 +128,45 @@ impl<S: Scalar> Slabs<S> {
     fn new(ray: &Ray<S>, size: S) -> Self {
         let (o, d) = (ray.origin, ray.direction);
         let directions = [d.x(), d.y(), d.z()];
-        let backwards = directions.map(|c| c < S::Unit::ZERO);
-        let inverse = directions.map(|c| if c < S::Unit::ZERO { -c } else { c }.reciprocal());
+        let entry = directions.map(|c| usize::from(c < S::Unit::ZERO));
         let origin = [o.x(), o.y(), o.z()];
         let away = origin.map(|c| if c < S::ZERO { -c } else { c });
         let far = away.into_iter().fold(size, |most, c| if c > most { c } else { most });
-        Self { origin, inverse, backwards, margin: far.margin() }
+        let margin = far.margin();
+        let mut starts = origin.map(|c| c.either_side(margin));
+        for (starts, entry) in starts.iter_mut().zip(entry) {
+            // Upwards the least plane is entered later when seen from below.
+            if entry == 0 {
+                starts.reverse();
+            }
+        }
+        Self { starts, inverse: directions.map(Unit::reciprocal), entry }
     }
 }
 
 impl<S: Scalar> Boxes<S> {
-    /// Where the ray enters each box, 0 if it starts within; and whether it does so before `t_max`.
+    /// Where the ray enters each box, 0 if it starts within; and a bit for each that it enters before `t_max`, the lowest
+    /// for the first.
     #[inline]
-    pub(crate) fn enter(&self, slabs: &Slabs<S>, t_max: S) -> ([S; 4], [bool; 4]) {
+    pub(crate) fn enter(&self, slabs: &Slabs<S>, t_max: S) -> ([S; 4], u32) {
         let (mut near, mut far) = ([S::ZERO; 4], [t_max; 4]);
-        let axes = self.low.iter().zip(&self.high).zip(slabs.origin).zip(slabs.inverse).zip(slabs.backwards);
-        for ((((low, high), origin), inverse), backwards) in axes {
-            let planes = low.iter().zip(high).zip(near.iter_mut().zip(&mut far));
-            for ((&low, &high), (near, far)) in planes {
+        for (((planes, starts), inverse), entry) in
+            self.planes.iter().zip(slabs.starts).zip(slabs.inverse).zip(slabs.entry)
+        {
+            let ([low, high], [start, end]) = (planes, starts);
+            for (((&low, &high), near), far) in low.iter().zip(high).zip(&mut near).zip(&mut far) {
                 let (before, behind) =
-                    if backwards { (origin - high, origin - low) } else { (low - origin, high - origin) };
-                let before = (before - slabs.margin).stretch(inverse);
-                let behind = (behind + slabs.margin).stretch(inverse);
+                    if entry == 0 { (low - start, high - end) } else { (start - high, end - low) };
+                let (before, behind) = (before.stretch(inverse), behind.stretch(inverse));
                 *near = if before > *near { before } else { *near };
                 *far = if behind < *far { behind } else { *far };
             }
         }
-        let mut enters = [false; 4];
-        for (enters, (near, far)) in enters.iter_mut().zip(near.iter().zip(&far)) {
-            *enters = near <= far;
-        }
-        (near, enters)
+        let entered = near.iter().zip(&far).zip(self.children).enumerate();
+        let mask = entered.fold(0, |mask, (k, ((near, far), child))| {
+            mask | u32::from(near <= far && child != Child::EMPTY) << k
+        });
+        (near, mask)
     }
 }
 
@@ -125,53 +179,59 @@ impl<'a, S: Scalar> Bvh<'a, S> {
     pub(crate) fn nearest(&self, ray: &Ray<S>, t_max: &mut S, mut visit: impl FnMut(Item, &mut S)) {
         let slabs = Slabs::new(ray, self.size);
         let mut waiting = Vec::<(Child, S), STACK>::new();
-        let mut next = Some((Child::Node(0), S::ZERO));
-        while let Some((child, entered)) = next {
-            if entered < *t_max {
-                match child {
-                    Child::Empty => {}
-                    Child::Leaf(first, count) => {
-                        for &item in self.run(first, count) {
-                            visit(item, t_max);
-                        }
+        let mut child = Child::node(0);
+        loop {
+            match child.kind() {
+                Kind::Empty => {}
+                Kind::Leaf(first, count) => {
+                    for &item in self.run(first, count) {
+                        visit(item, t_max);
                     }
-                    Child::Node(number) => {
-                        let Some(node) = self.nodes.get(index(number)) else { return };
-                        let (near, enters) = S::enter(node, &slabs, *t_max);
-                        let base = waiting.len();
-                        for ((child, near), enters) in node.children.into_iter().zip(near).zip(enters) {
-                            if enters {
-                                // There is room: the hierarchy is not deeper than the stack.
-                                let _ = waiting.push((child, near));
+                }
+                Kind::Node(number) => {
+                    let Some(node) = self.nodes.get(index(number)) else { return };
+                    let (near, mask) = S::enter(node, &slabs, *t_max);
+                    let base = waiting.len();
+                    for k in Bits(mask) {
+                        if let (Some(&child), Some(&near)) = (node.children.get(k), near.get(k)) {
+                            // There is room: the hierarchy is not deeper than the stack.
+                            let _ = waiting.push((child, near));
+                            if waiting.len() > base + 1 {
                                 sort_last(&mut waiting, base);
                             }
                         }
                     }
                 }
             }
-            next = waiting.pop();
+            child = loop {
+                match waiting.pop() {
+                    Some((child, near)) if near < *t_max => break child,
+                    Some(_) => {}
+                    None => return,
+                }
+            };
         }
     }
 
-    /// Whether `visit` says no to an item that the ray may meet nearer than `t_max`.
+    /// Whether `visit` says yes to all items that the ray may meet nearer than `t_max`, as far as it is asked.
     #[inline]
     pub(crate) fn all(&self, ray: &Ray<S>, t_max: S, mut visit: impl FnMut(Item) -> bool) -> bool {
         let slabs = Slabs::new(ray, self.size);
         let mut waiting = Vec::<Child, STACK>::new();
-        let mut next = Some(Child::Node(0));
+        let mut next = Some(Child::node(0));
         while let Some(child) = next {
-            match child {
-                Child::Empty => {}
-                Child::Leaf(first, count) => {
+            match child.kind() {
+                Kind::Empty => {}
+                Kind::Leaf(first, count) => {
                     if !self.run(first, count).iter().all(|&item| visit(item)) {
                         return false;
                     }
                 }
-                Child::Node(number) => {
+                Kind::Node(number) => {
                     let Some(node) = self.nodes.get(index(number)) else { return true };
-                    let (_, enters) = S::enter(node, &slabs, t_max);
-                    for (child, enters) in node.children.into_iter().zip(enters) {
-                        if enters {
+                    let (_, mask) = S::enter(node, &slabs, t_max);
+                    for k in Bits(mask) {
+                        if let Some(&child) = node.children.get(k) {
                             let _ = waiting.push(child);
                         }
                     }
@@ -182,8 +242,8 @@ impl<'a, S: Scalar> Bvh<'a, S> {
         true
     }
 
-    fn run(&self, first: u32, count: u16) -> &'a [Item] {
-        self.items.get(index(first)..index(first) + usize::from(count)).unwrap_or(&[])
+    fn run(&self, first: usize, count: usize) -> &'a [Item] {
+        self.items.get(first..first + count).unwrap_or(&[])
     }
 
     /// The first node that is wrong: that leads back or out of the list, or too deep, or whose leaves do not follow each
@@ -213,20 +273,34 @@ impl<'a, S: Scalar> Bvh<'a, S> {
             }
             expected += 1;
             for child in node.children {
-                if let Child::Leaf(first, count) = child {
-                    if index(first) != covered || self.run(first, count).is_empty() {
+                if let Kind::Leaf(first, count) = child.kind() {
+                    if first != covered || self.run(first, count).is_empty() {
                         return Some(index(number));
                     }
-                    covered += usize::from(count);
+                    covered += count;
                 }
             }
             for child in node.children.into_iter().rev() {
-                if let Child::Node(below) = child {
+                if let Kind::Node(below) = child.kind() {
                     let _ = waiting.push((below, depth + 1));
                 }
             }
         }
         (covered != self.items.len() || index(expected) != self.nodes.len()).then_some(0)
+    }
+}
+
+/// The numbers of the bits that are 1.
+struct Bits(u32);
+
+impl Iterator for Bits {
+    type Item = usize;
+
+    #[inline]
+    fn next(&mut self) -> Option<usize> {
+        let lowest = self.0.trailing_zeros();
+        self.0 &= self.0.wrapping_sub(1);
+        (lowest < 4).then(|| index(lowest))
     }
 }
 

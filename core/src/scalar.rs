@@ -98,10 +98,13 @@ pub trait Scalar:
     /// How far the planes of a box are moved outwards before a ray is tested against it, where neither the ray's origin nor
     /// the boxes have a coordinate above `self`: more than the object in it, its test and the box's can be wrong together.
     fn margin(self) -> Self;
+    /// `self - by` and `self + by`, saturated.
+    fn either_side(self, by: Self) -> [Self; 2];
 
-    /// Where a ray enters the four boxes of a node, and whether it does so before `t_max`.
+    /// Where a ray enters the four boxes of a node; and a bit for each that it enters before `t_max`, the lowest for the
+    /// first.
     #[inline]
-    fn enter(node: &Boxes<Self>, slabs: &Slabs<Self>, t_max: Self) -> ([Self; 4], [bool; 4]) {
+    fn enter(node: &Boxes<Self>, slabs: &Slabs<Self>, t_max: Self) -> ([Self; 4], u32) {
         node.enter(slabs, t_max)
     }
 
@@ -182,7 +185,7 @@ pub trait Unit:
     fn discriminant(b: Self, a: Self, c: Self) -> Option<Self>;
     /// `self / divisor`; in fixed point it saturates at 2, in float it may be infinite or no number.
     fn quotient(self, divisor: Self) -> Self;
-    /// The reciprocal of a number that is 0 or more; of 0 it is as large as the format has it.
+    /// The reciprocal, in fixed point of the number's size; of 0 as large as the format has it, and above 0.
     fn reciprocal(self) -> Self::Inverse;
     /// `self^exponent` by squaring, for `self` in [0, 1].
     fn power(self, exponent: u32) -> Self {

@@ -147,11 +147,21 @@ impl<S: Scalar> Scene<'_, S> {
     /// Where a ray meets an item nearer than `t_max`.
     #[inline]
     fn meet<N: Needs>(&self, item: Item, ray: &Ray<S>, t_max: S) -> Option<Hit<S>> {
+        match item {
+            Item::Sphere(i) if N::SPHERES => {
+                let i = usize::try_from(i).unwrap_or(usize::MAX);
+                let distance = self.spheres.get(i)?.intersect(ray, t_max)?;
+                Some(Hit { distance, object: Object::Sphere(i) })
+            }
+            _ => self.meet_other::<N>(item, ray, t_max),
+        }
+    }
+
+    /// The same for what is not a sphere.
+    #[inline(never)] // so that spheres are tried at once
+    fn meet_other<N: Needs>(&self, item: Item, ray: &Ray<S>, t_max: S) -> Option<Hit<S>> {
         let index = |number: u32| usize::try_from(number).unwrap_or(usize::MAX);
         let (distance, object) = match item {
-            Item::Sphere(i) if N::SPHERES => {
-                (self.spheres.get(index(i))?.intersect(ray, t_max)?, Object::Sphere(index(i)))
-            }
             Item::Ellipsoid(i) if N::ELLIPSOIDS => {
                 (self.ellipsoids.get(index(i))?.intersect(ray, t_max)?, Object::Ellipsoid(index(i)))
             }
@@ -200,14 +210,14 @@ impl<S: Scalar> Scene<'_, S> {
             }
         }
         if self.is_boxed::<N>() {
-            let mut hit = hit;
+            // What is as near as the best so far is looked at too: the boxes come in any order.
+            let (mut hit, mut limit) = (hit, t_max.next_up());
             self.boxes.nearest(ray, &mut t_max, |item, t_max| {
-                // What is as near as the best so far is looked at too: the boxes come in any order.
-                if let Some(found) = self.meet::<N>(item, ray, t_max.next_up())
+                if let Some(found) = self.meet::<N>(item, ray, limit)
                     && hit
                         .is_none_or(|hit: Hit<S>| found.distance < hit.distance || found.object < hit.object)
                 {
-                    *t_max = found.distance;
+                    (*t_max, limit) = (found.distance, found.distance.next_up());
                     hit = Some(found);
                 }
             });

@@ -316,6 +316,9 @@ macro_rules! fixed_point {
             fn margin(self) -> Self {
                 Self::from_bits(72)
             }
+            fn either_side(self, by: Self) -> [Self; 2] {
+                [self.saturating_sub(by), self.saturating_add(by)]
+            }
             fn next_up(self) -> Self {
                 self.saturating_add(Self::DELTA)
             }

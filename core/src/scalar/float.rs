@@ -38,7 +38,7 @@ macro_rules! float {
                 self / divisor
             }
             fn reciprocal(self) -> Self {
-                1.0 / self.abs() // also of a zero with a sign
+                1.0 / (self + 0.0) // of a zero without a sign
             }
             fn radical(a: Self, b: Self, minus: Self) -> Option<Self> {
                 // (a - m)(a + m) keeps the digits that a^2 - m^2 would cancel.
@@ -129,33 +129,33 @@ macro_rules! float {
             fn margin(self) -> Self {
                 64.0 * <$f>::EPSILON * self
             }
+            #[inline]
+            fn either_side(self, by: Self) -> [Self; 2] {
+                [self - by, self + by]
+            }
             /// Four lanes side by side. A ray along a plane makes 0 times infinity, which no comparison is true of.
             #[inline]
             #[allow(
                 clippy::indexing_slicing,
                 reason = "every index is below the length, and so the loops are lanes"
             )]
-            fn enter(node: &Boxes<Self>, slabs: &Slabs<Self>, t_max: Self) -> ([Self; 4], [bool; 4]) {
-                let (mut near, mut far, mut enters) = ([0.0; 4], [t_max; 4], [false; 4]);
+            fn enter(node: &Boxes<Self>, slabs: &Slabs<Self>, t_max: Self) -> ([Self; 4], u32) {
+                let (mut near, mut far, mut mask) = ([0.0; 4], [t_max; 4], 0);
                 for axis in 0..3 {
-                    let (inverse, origin, margin) = (slabs.inverse[axis], slabs.origin[axis], slabs.margin);
-                    let (first, last, inverse, margin) = if slabs.backwards[axis] {
-                        (&node.high[axis], &node.low[axis], -inverse, -margin)
-                    } else {
-                        (&node.low[axis], &node.high[axis], inverse, margin)
-                    };
-                    let (before, behind) = (origin + margin, origin - margin);
+                    let (inverse, [start, end]) = (slabs.inverse[axis], slabs.starts[axis]);
+                    let (entry, exit) = (slabs.entry[axis] & 1, !slabs.entry[axis] & 1);
+                    let (first, last) = (&node.planes[axis][entry], &node.planes[axis][exit]);
                     for k in 0..4 {
-                        let t = (first[k] - before) * inverse;
+                        let t = (first[k] - start) * inverse;
                         near[k] = if t > near[k] { t } else { near[k] };
-                        let t = (last[k] - behind) * inverse;
+                        let t = (last[k] - end) * inverse;
                         far[k] = if t < far[k] { t } else { far[k] };
                     }
                 }
                 for k in 0..4 {
-                    enters[k] = near[k] <= far[k];
+                    mask |= u32::from(near[k] <= far[k]) << k;
                 }
-                (near, enters)
+                (near, mask)
             }
             fn next_up(self) -> Self {
                 <$f>::next_up(self)

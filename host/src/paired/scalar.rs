@@ -74,6 +74,12 @@ impl<S: Format> Scalar for Paired<S> {
     fn margin(self) -> Self {
         Self { format: self.format.margin(), twin: self.twin.margin() }
     }
+    fn either_side(self, by: Self) -> [Self; 2] {
+        let (format, twin) = (self.format.either_side(by.format), self.twin.either_side(by.twin));
+        let pair = |format, twin| Self { format, twin };
+        let ([low, high], [twin_low, twin_high]) = (format, twin);
+        [pair(low, twin_low), pair(high, twin_high)]
+    }
     fn next_up(self) -> Self {
         Self { format: Scalar::next_up(self.format), twin: self.twin.next_up() }
     }

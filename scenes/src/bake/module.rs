@@ -189,10 +189,11 @@ fn write_lists<S: Literal>(out: &mut impl Write, scene: &Narrowed<S>) -> fmt::Re
             material(&t.material)
         )
     });
-    let sides = |sides: [[S; 4]; 3]| sides.map(|row| format!("[{}]", row.map(length).join(", "))).join(", ");
     let boxes = scene.boxes.iter().map(|node| {
-        let children = node.children.map(|child| format!("Child::{child:?}")).join(", ");
-        format!("low: [{}], high: [{}], children: [{children}]", sides(node.low), sides(node.high))
+        let row = |row: [S; 4]| format!("[{}]", row.map(length).join(", "));
+        let planes = node.planes.map(|pair| format!("[{}]", pair.map(row).join(", "))).join(", ");
+        let children = node.children.map(|child| format!("{child:?}")).join(", ");
+        format!("planes: [{planes}], children: [{children}]")
     });
     let lamps = scene.lamps.iter().map(|l| {
         format!(

@@ -54,7 +54,7 @@ pub(super) fn build<S: Narrow>(scene: &Description) -> Built<S> {
     let none = Built { nodes: Vec::new(), items: Vec::new(), size: S::ZERO };
     let others = scene.cones.len() + scene.triangles.len();
     let count = scene.spheres.len() + scene.ellipsoids.len() + others;
-    if count < if others > 0 { FEWEST_OTHERS } else { FEWEST } || u32::try_from(count).is_err() {
+    if count < if others > 0 { FEWEST_OTHERS } else { FEWEST } || count > Child::MAX_ITEMS as usize {
         return none;
     }
     let mut solids = solids(scene);
@@ -234,32 +234,32 @@ fn emit<S: Narrow>(tree: &Tree, by_size: bool, built: &mut Built<S>) -> usize {
         }
     }
     let number = built.nodes.len();
-    let (mut low, mut high) = ([[S::ZERO; 4]; 3], [[S::ZERO; 4]; 3]);
+    let mut planes = [[[S::ZERO; 4]; 2]; 3];
     for (slot, child) in children.iter().enumerate() {
-        let bounds = child.bounds();
-        for (sides, of) in [(&mut low, bounds.low), (&mut high, bounds.high)] {
-            for (row, c) in sides.iter_mut().zip(of) {
-                // What is not used is a copy of the first: no number in it is out of the scene.
-                for place in row.iter_mut().skip(slot) {
-                    *place = S::length(c);
+        let Bounds { low, high } = child.bounds();
+        for (planes, sides) in planes.iter_mut().zip(low.iter().zip(high)) {
+            for (places, &side) in planes.iter_mut().zip([sides.0, sides.1]) {
+                // What is not used is a copy of the last: no number in it is out of the scene.
+                for place in places.iter_mut().skip(slot) {
+                    *place = S::length(side);
                 }
             }
         }
     }
-    built.nodes.push(Boxes { low, high, children: [Child::Empty; 4] });
+    built.nodes.push(Boxes { planes, children: [Child::EMPTY; 4] });
     let as_number = |index: usize| u32::try_from(index).unwrap_or(u32::MAX);
-    let mut kinds = [Child::Empty; 4];
+    let mut kinds = [Child::EMPTY; 4];
     for (kind, child) in kinds.iter_mut().zip(&children) {
         if let Tree::Leaf(_, items) = child {
-            let count = u16::try_from(items.len()).unwrap_or(u16::MAX);
-            *kind = Child::Leaf(as_number(built.items.len()), count);
+            let count = as_number(items.len());
+            *kind = Child::leaf(as_number(built.items.len()), count);
             built.items.extend(items);
         }
     }
     let mut depth = 0;
     for (kind, child) in kinds.iter_mut().zip(&children) {
         if let Tree::Pair(..) = child {
-            *kind = Child::Node(as_number(built.nodes.len()));
+            *kind = Child::node(as_number(built.nodes.len()));
             depth = depth.max(emit(child, by_size, built));
         }
     }
