@@ -14,7 +14,7 @@ use crate::ray::Ray;
 use crate::scalar::{Light, Scalar, Unit};
 pub use crate::shape::Floor;
 use crate::shape::{Cone, Cylinder, Ellipsoid, Sphere, Triangle, sphere};
-use crate::vector::{UnitVec3, UnitVector, Vector};
+use crate::vector::{UnitVec3, UnitVector, Vec3, Vector};
 
 /// A scene (rta-model section 1), but for the eye.
 #[derive(Clone, Copy, Debug)]
@@ -137,6 +137,13 @@ impl<S: Scalar> Scene<'_, S> {
     /// so few spheres that walking one takes longer.
     fn is_swept<N: Needs>(&self) -> bool {
         S::LANES && (!N::HIERARCHY || self.hierarchy.is_empty() || self.spheres.len() <= 16)
+    }
+
+    /// A ray through this scene.
+    #[inline]
+    pub fn ray<N: Needs>(&self, origin: Vec3<S>, direction: UnitVec3<S>) -> Ray<S> {
+        let plan = if N::CYLINDERS && !self.cylinders.is_empty() { direction.plan() } else { None };
+        Ray { origin, direction, plan }
     }
 
     /// Whether there is a hierarchy of boxes.

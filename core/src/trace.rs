@@ -82,7 +82,7 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize> Tracer<'a,
     pub fn radiance(&self, origin: Vec3<S>, direction: UnitVec3<S>) -> Rgb<S::Light> {
         if !N::MIRROR {
             self.model.note(RayKind::Primary);
-            return self.local(&Ray::new::<N>(origin, direction)).0;
+            return self.local(&self.scene.ray::<N>(origin, direction)).0;
         }
         let mut pending = Stack::<S, M::Weight, STACK>::new();
         let mut light = Rgb::BLACK;
@@ -90,7 +90,7 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize> Tracer<'a,
             Some(Pending { origin, direction, weight: M::Weight::WHOLE, depth: 0, kind: RayKind::Primary });
         while let Some(current) = next {
             self.model.note(current.kind);
-            let ray = Ray::new::<N>(current.origin, current.direction);
+            let ray = self.scene.ray::<N>(current.origin, current.direction);
             let (own, seen) = self.local(&ray);
             light = light.plus(current.weight.filter(own));
             next = match seen {
@@ -139,7 +139,7 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize> Tracer<'a,
         let side = if behind { -surface.normal } else { surface.normal };
         let (origin, used) = surface.point.leave(side, incident.direction, extent);
         self.model.note(RayKind::Shadow);
-        let shadow = Ray::new::<N>(origin, incident.direction);
+        let shadow = self.scene.ray::<N>(origin, incident.direction);
         let part = self.scene.transmittance::<N>(&shadow, incident.distance - used, self.scene.limits().lid);
         self.model.note_shadow(part);
         if part == S::Unit::ONE { light } else { light.map(|register| register.times(part)) }

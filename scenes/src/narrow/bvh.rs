@@ -9,7 +9,7 @@ use crate::description::Description;
 use crate::space::{difference, length};
 
 /// Fewer objects than this are as quickly tried one after another, or by a hierarchy of spheres.
-const FEWEST: usize = 100;
+const FEWEST: usize = 4;
 /// The same where there are cones or triangles.
 const FEWEST_OTHERS: usize = 8;
 /// What testing the boxes of a pair costs, in spheres.
