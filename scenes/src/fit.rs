@@ -20,8 +20,8 @@ impl fmt::Display for FloorError {
 impl core::error::Error for FloorError {}
 
 impl Description {
-    /// The same scene `factor` times as large, about the origin: from the eye, as far away as before, it is the same
-    /// picture. Lamps that are attenuated are brighter by the square of it.
+    /// The same scene `factor` times as large, about the origin: from its eye it is the same picture. Lamps that are
+    /// attenuated are brighter by the square of it.
     ///
     /// # Errors
     /// [`FloorError`].
