@@ -134,7 +134,7 @@ pub struct BakeArgs {
     /// Number format
     #[arg(long, value_enum, default_value_t = Format::Q16)]
     pub format: Format,
-    /// Illumination model that the scene is drawn with, which decides what it needs [default: rta; of .nff phong]
+    /// Illumination model that the scene is drawn with, which decides what it needs [default: rta, or phong for .nff]
     #[arg(long, value_enum)]
     pub model: Option<Model>,
     /// Shape of the screen that the whole picture fills
@@ -173,7 +173,7 @@ pub struct ExplainArgs {
     #[arg(long, default_value = "q16", value_parser = PossibleValuesParser::new(["f32", "q16", "q20"])
         .try_map(|name| Format::from_str(&name, false)))]
     pub format: Format,
-    /// Illumination model [default: the one that the scene was made for: rta, of .nff phong]
+    /// Illumination model [default: what the scene was made for: rta, or phong for .nff]
     #[arg(long, value_enum)]
     pub model: Option<Model>,
     /// Reflections and refractions that a ray is followed through; 0 is what the eye sees directly
@@ -268,7 +268,7 @@ pub struct TracingArgs {
     /// Number format of the tracer
     #[arg(long, value_enum, default_value_t = Format::F32)]
     pub format: Format,
-    /// Illumination model [default: the one that the scene was made for: rta, of .nff phong]
+    /// Illumination model [default: what the scene was made for: rta, or phong for .nff]
     #[arg(long, value_enum)]
     pub model: Option<Model>,
     /// Reflections and refractions that a ray is followed through; 0 is what the eye sees directly
