@@ -7,11 +7,13 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 
 use crate::device::{Device, Target};
 use crate::engine::{Format, MAX_DEPTH, Model};
+use crate::error::Error;
 use crate::explain::Choice;
 use crate::picture::FileType;
 use crate::raster::{Aspect, Size};
 use crate::request::Request;
 use crate::sampling::{Cutoff, Samples};
+use crate::scene::Scene;
 use crate::screen::TableKind;
 
 const EXAMPLES: &str = "\
@@ -21,6 +23,7 @@ Examples:
   rta render hall-22.dat -o hall.png --format q16   traced in fixed point, as firmware does
   rta render hall-22.dat -o hall.pfm --device none --size 640x480
   rta render - -o - --device none --as ppm <hall-22.dat | pnmtopng >hall.png
+  rta render balls2.nff -o balls.png --device none  an NFF scene, as large as it says
 
 Status: 0 if all went well, 2 after any error, 130 if interrupted.";
 
@@ -97,7 +100,7 @@ pub enum Command {
 /// `rta show`.
 #[derive(Args, Debug)]
 pub struct ShowArgs {
-    /// Scene file (.dat), or - for standard input; without one, the Juggler
+    /// Scene file (.dat or .nff), or - for standard input; without one, the Juggler
     pub scene: Option<PathBuf>,
     /// The display to emulate
     #[arg(long, value_enum, default_value_t = Device::Vga)]
@@ -110,7 +113,7 @@ pub struct ShowArgs {
 /// `rta check`.
 #[derive(Args, Debug)]
 pub struct CheckArgs {
-    /// Scene file (.dat), or - for standard input
+    /// Scene file (.dat or .nff), or - for standard input
     pub scene: PathBuf,
     /// Number format
     #[arg(long, value_enum, default_value_t = Format::Q16)]
@@ -118,22 +121,28 @@ pub struct CheckArgs {
     /// Shape of the screen
     #[arg(long, value_name = "RATIO", default_value = "4:3")]
     pub aspect: Aspect,
+    /// Scale the scene by a power of two if it does not fit the number format (not one with a floor)
+    #[arg(long)]
+    pub fit: bool,
 }
 
 /// `rta bake`.
 #[derive(Args, Debug)]
 pub struct BakeArgs {
-    /// Scene file (.dat), or - for standard input
+    /// Scene file (.dat or .nff), or - for standard input
     pub scene: PathBuf,
     /// Number format
     #[arg(long, value_enum, default_value_t = Format::Q16)]
     pub format: Format,
-    /// Illumination model that the scene is drawn with: it decides what the scene needs
-    #[arg(long, value_enum, default_value_t = Model::Rta)]
-    pub model: Model,
+    /// Illumination model that the scene is drawn with, which decides what it needs [default: rta, or phong for .nff]
+    #[arg(long, value_enum)]
+    pub model: Option<Model>,
     /// Shape of the screen that the whole picture fills
     #[arg(long, value_name = "RATIO", default_value = "4:3")]
     pub aspect: Aspect,
+    /// Scale the scene by a power of two if it does not fit the number format (not one with a floor)
+    #[arg(long)]
+    pub fit: bool,
     /// Rust file; - is standard output
     #[arg(short, long, value_name = "FILE")]
     pub output: PathBuf,
@@ -142,7 +151,7 @@ pub struct BakeArgs {
 /// `rta hash`.
 #[derive(Args, Debug)]
 pub struct HashArgs {
-    /// Scene file (.dat), or - for standard input
+    /// Scene file (.dat or .nff), or - for standard input
     pub scene: PathBuf,
     /// The display
     #[arg(long, value_enum, default_value_t = Device::Vga)]
@@ -155,7 +164,7 @@ pub struct HashArgs {
 /// `rta explain`.
 #[derive(Args, Debug)]
 pub struct ExplainArgs {
-    /// Scene file (.dat), or - for standard input
+    /// Scene file (.dat or .nff), or - for standard input
     pub scene: PathBuf,
     /// Column and row from 0,0 in the upper left corner, or worst: the one whose colour is farthest off
     #[arg(long, value_name = "X,Y")]
@@ -164,33 +173,36 @@ pub struct ExplainArgs {
     #[arg(long, default_value = "q16", value_parser = PossibleValuesParser::new(["f32", "q16", "q20"])
         .try_map(|name| Format::from_str(&name, false)))]
     pub format: Format,
-    /// Illumination model
-    #[arg(long, value_enum, default_value_t = Model::Rta)]
-    pub model: Model,
+    /// Illumination model [default: what the scene was made for: rta, or phong for .nff]
+    #[arg(long, value_enum)]
+    pub model: Option<Model>,
     /// Reflections and refractions that a ray is followed through; 0 is what the eye sees directly
     #[arg(long, default_value_t = 5, value_name = "N", value_parser = clap::value_parser!(u32).range(..=i64::from(MAX_DEPTH)))]
     pub depth: u32,
-    /// Pixels of the picture [default: 320x200]
+    /// Pixels of the picture [default: those of a .nff, else 320x200]
     #[arg(long, value_name = "WxH")]
     pub size: Option<Size>,
     /// Shape of the screen, as 4:3 or 1.333 [default: square pixels, except that 320x200 is a 4:3 screen]
     #[arg(long, value_name = "RATIO")]
     pub aspect: Option<Aspect>,
+    /// Scale the scene by a power of two if it does not fit the number format (not one with a floor)
+    #[arg(long)]
+    pub fit: bool,
 }
 
 impl ExplainArgs {
     /// The picture to which the pixel belongs: one ray through the middle of each pixel, without a device.
     #[must_use]
-    pub fn request(&self) -> Request {
-        let Self { format, model, depth, size, aspect, .. } = *self;
-        Request { format, model, depth, size, aspect, ..ShowArgs::default().tracing.request(Target::None) }
+    pub fn tracing(&self) -> TracingArgs {
+        let Self { format, model, depth, size, aspect, fit, .. } = *self;
+        TracingArgs { format, model, depth, size, aspect, fit, ..ShowArgs::default().tracing }
     }
 }
 
 /// `rta render`.
 #[derive(Args, Debug)]
 pub struct RenderArgs {
-    /// Scene file (.dat), or - for standard input
+    /// Scene file (.dat or .nff), or - for standard input
     pub scene: PathBuf,
     /// Picture file: .png, .ppm or .pfm; - is standard output
     ///
@@ -223,7 +235,7 @@ pub struct StabilityArgs {
 /// `rta report`.
 #[derive(Args, Debug)]
 pub struct ReportArgs {
-    /// Scene files (.dat); without one, the three that come with the program
+    /// Scene files (.dat or .nff); without one, the three that come with the program
     pub scenes: Vec<PathBuf>,
     /// Folder that the report is written to; it is made if it is not there
     #[arg(short, long, value_name = "FOLDER")]
@@ -256,9 +268,9 @@ pub struct TracingArgs {
     /// Number format of the tracer
     #[arg(long, value_enum, default_value_t = Format::F32)]
     pub format: Format,
-    /// Illumination model
-    #[arg(long, value_enum, default_value_t = Model::Rta)]
-    pub model: Model,
+    /// Illumination model [default: what the scene was made for: rta, or phong for .nff]
+    #[arg(long, value_enum)]
+    pub model: Option<Model>,
     /// Reflections and refractions that a ray is followed through; 0 is what the eye sees directly
     #[arg(long, default_value_t = 5, value_name = "N", value_parser = clap::value_parser!(u32).range(..=i64::from(MAX_DEPTH)))]
     pub depth: u32,
@@ -274,7 +286,7 @@ pub struct TracingArgs {
     /// Colour table of the device
     #[arg(long, value_enum, default_value_t = TableKind::Tolerant)]
     pub table: TableKind,
-    /// Pixels of the picture [default: the device's; with --device none 320x200]
+    /// Pixels of the picture [default: the device's; with --device none those of a .nff, else 320x200]
     ///
     /// On a device the picture is a window in its raster, so it may not be larger, and its pixels keep their
     /// shape. Up to 65535 pixels a side, and as many in all as 8192x8192 has.
@@ -286,18 +298,42 @@ pub struct TracingArgs {
     /// square pixels, except that 320x200 is a 4:3 screen]
     #[arg(long, value_name = "RATIO", verbatim_doc_comment)]
     pub aspect: Option<Aspect>,
+    /// Scale the scene by a power of two if it does not fit the number format (not one with a floor)
+    #[arg(long)]
+    pub fit: bool,
     /// Threads that trace [default: one for each core]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub threads: Option<u16>,
 }
 
 impl TracingArgs {
-    /// The request that these arguments make of `target`.
+    /// The request that these arguments make of `target`, whatever the scene: with the thesis's model where they name
+    /// none.
     #[must_use]
     pub fn request(&self, target: Target) -> Request {
-        let Self { format, model, depth, cutoff, table, size, aspect, .. } = *self;
+        let Self { format, depth, cutoff, table, size, aspect, fit, .. } = *self;
+        let model = self.model.unwrap_or(Model::Rta);
         let sampling = self.samples.sampling(self.jitter);
-        Request { target, table, format, model, depth, cutoff, sampling, size, aspect }
+        Request { target, table, format, model, depth, cutoff, sampling, size, aspect, fit }
+    }
+
+    /// The same for a scene. Where the arguments name no model, it is the one that the scene was made for; where
+    /// neither they nor a device have a size, it is the scene's, with square pixels.
+    ///
+    /// # Errors
+    /// [`Error::SceneSize`].
+    pub fn request_for(&self, target: Target, scene: &Scene) -> Result<Request, Error> {
+        let mut request = self.request(target);
+        request.model = self.model.unwrap_or(scene.description.model.into());
+        if let (Target::None, None, Some([width, height])) = (target, self.size, scene.description.raster) {
+            let name = || scene.source.clone();
+            let failed = |reason| Error::SceneSize { name: name(), width, height, reason };
+            let size = Size::new(width, height).map_err(failed)?;
+            let square = || Aspect::new(size.ratio()).map_err(failed);
+            request.size = Some(size);
+            request.aspect = Some(self.aspect.map_or_else(square, Ok)?);
+        }
+        Ok(request)
     }
 }
 
@@ -305,7 +341,7 @@ impl Default for ShowArgs {
     fn default() -> Self {
         let tracing = TracingArgs {
             format: Format::F32,
-            model: Model::Rta,
+            model: None,
             depth: 5,
             cutoff: Cutoff::OFF,
             samples: Samples::ONE,
@@ -313,6 +349,7 @@ impl Default for ShowArgs {
             table: TableKind::Tolerant,
             size: None,
             aspect: None,
+            fit: false,
             threads: None,
         };
         Self { scene: None, device: Device::Vga, tracing }

@@ -3,9 +3,9 @@
 use rta_scenes::bake::{self, BakeError, Recipe};
 
 use crate::args::BakeArgs;
-use crate::check::{self, Refusal};
 use crate::engine::{Format, Model};
 use crate::error::Error;
+use crate::fit::Fit;
 use crate::output;
 use crate::scene::Scene;
 
@@ -22,20 +22,17 @@ pub fn run(args: &BakeArgs) -> Result<(), Error> {
         Format::Q16 => bake::Format::Q16,
         Format::Q20 => bake::Format::Q20,
     };
-    let model = match args.model {
+    let asked = args.model.unwrap_or(scene.description.model.into());
+    let model = match asked {
         Model::Rta => bake::Model::Rta,
         Model::Whitted | Model::Phong => bake::Model::Whitted,
     };
-    let refused = |reason: Refusal| Error::Refused {
-        name: scene.source.clone(),
-        format: args.format,
-        reason: Box::new(reason),
-        others: check::alternatives(&scene.description, args.format, aspect),
-    };
-    let source = match bake::module(&scene.description, &scene.title, &Recipe { format, aspect, model }) {
+    let fit = Fit { format: args.format, aspect, model: Some(asked), asked: args.fit };
+    let description = fit.scaled(&scene);
+    let source = match bake::module(&description, &scene.title, &Recipe { format, aspect, model }) {
         Ok(source) => source,
-        Err(BakeError::Narrow(error)) => return Err(refused(error.into())),
-        Err(BakeError::Range(error)) => return Err(refused(error.into())),
+        Err(BakeError::Narrow(error)) => return Err(fit.refused(&scene, error.into())),
+        Err(BakeError::Range(error)) => return Err(fit.refused(&scene, error.into())),
         Err(error) => return Err(Error::Report(Box::new(error))),
     };
     output::write_text(&args.output, &source)

@@ -12,6 +12,7 @@ use rta_scenes::narrow::{Narrow, NarrowError, narrow};
 use crate::args::CheckArgs;
 use crate::engine::Format;
 use crate::error::Error;
+use crate::fit::Fit;
 use crate::scene::Scene;
 
 /// The formats in the order in which they are suggested: fixed point first, the finest that fits.
@@ -58,9 +59,22 @@ fn prove<S: Narrow>(scene: &Description, aspect: f64) -> Verdict {
     }
 }
 
+/// Whether a format admits a scene.
+pub fn admits(scene: &Description, format: Format, aspect: f64) -> bool {
+    fn admits<S: Narrow>(scene: &Description, aspect: f64) -> bool {
+        narrow::<S>(scene, aspect).is_ok_and(|narrowed| narrowed.scene().admit(&narrowed.camera).is_ok())
+    }
+    match format {
+        Format::F32 => admits::<f32>(scene, aspect),
+        Format::F64 => admits::<f64>(scene, aspect),
+        Format::Q16 => admits::<Q16>(scene, aspect),
+        Format::Q20 => admits::<Q20>(scene, aspect),
+    }
+}
+
 /// The formats other than `format` that admit the scene, the finest fixed point first.
 pub fn alternatives(scene: &Description, format: Format, aspect: f64) -> Vec<Format> {
-    let fits = |f: &Format| *f != format && verdict(scene, *f, aspect).refused.is_none();
+    let fits = |f: &Format| *f != format && admits(scene, *f, aspect);
     SUGGESTED.into_iter().filter(fits).collect()
 }
 
@@ -71,13 +85,14 @@ pub fn alternatives(scene: &Description, format: Format, aspect: f64) -> Vec<For
 pub fn run(args: &CheckArgs) -> Result<(), Error> {
     let scene = Scene::open(&args.scene)?;
     let aspect = args.aspect.ratio();
-    let Verdict { rows, refused } = verdict(&scene.description, args.format, aspect);
+    let fit = Fit { format: args.format, aspect, model: None, asked: args.fit };
+    let description = fit.scaled(&scene);
+    let Verdict { rows, refused } = verdict(&description, args.format, aspect);
     print(&table(&scene.title, args.format, &rows))?;
     let Some(reason) = refused else {
         return print(&format!("{} is admitted to {}\n", scene.title, args.format));
     };
-    let others = alternatives(&scene.description, args.format, aspect);
-    Err(Error::Refused { name: scene.source, format: args.format, reason: Box::new(reason), others })
+    Err(fit.refused(&scene, reason))
 }
 
 fn print(text: &str) -> Result<(), Error> {

@@ -10,7 +10,7 @@ use rta_core::sampling::{Sampling, Supersampled};
 use rta_core::scalar::Unit;
 use rta_core::trace::Tracer;
 use rta_core::{Error, Q16, Q20};
-use rta_scenes::description::Description;
+use rta_scenes::description::{self, Description};
 use rta_scenes::narrow::{Narrow, NarrowError, Narrowed, narrow};
 
 use crate::sampling::Cutoff;
@@ -37,6 +37,15 @@ pub enum Model {
     Whitted,
     /// Phong 1975 with Whitted's rays, the model of NFF: highlights are around the reflected ray.
     Phong,
+}
+
+impl From<description::Model> for Model {
+    fn from(model: description::Model) -> Self {
+        match model {
+            description::Model::Rta => Self::Rta,
+            description::Model::Phong => Self::Phong,
+        }
+    }
 }
 
 impl fmt::Display for Format {

@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use crate::check::Refusal;
 use crate::device::Device;
 use crate::engine::{EngineError, Format};
+use crate::fit::Hint;
 use crate::picture::FileType;
 use crate::raster::Size;
 
@@ -25,15 +26,17 @@ pub enum Error {
     #[error(transparent)]
     Scene(#[from] rta_scenes::error::SceneError),
     /// The scene cannot be traced as asked.
-    #[error("{name}: {source}")]
+    #[error("{name}: {source}{fit}")]
     Engine {
         /// Name of the scene.
         name: String,
         /// Why not.
         source: EngineError,
+        /// Whether it could be scaled.
+        fit: Hint,
     },
     /// The number format does not admit the scene.
-    #[error("{name} does not fit {format}: {reason}{}", takers(others))]
+    #[error("{name} does not fit {format}: {reason}{}{fit}", takers(others))]
     Refused {
         /// Name of the scene.
         name: String,
@@ -43,6 +46,20 @@ pub enum Error {
         reason: Box<Refusal>,
         /// The formats that do admit it.
         others: Vec<Format>,
+        /// Whether it could be scaled.
+        fit: Hint,
+    },
+    /// The scene file asks for a picture that cannot be.
+    #[error("{name} is made for {width}x{height} pixels: {reason}; --size sets others")]
+    SceneSize {
+        /// Name of the scene.
+        name: String,
+        /// Pixels in a row.
+        width: u32,
+        /// Rows.
+        height: u32,
+        /// The limits.
+        reason: crate::raster::RasterError,
     },
     /// The picture has more pixels than the device.
     #[error("{size} does not fit {device}, which has {}", device.size())]

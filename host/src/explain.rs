@@ -10,8 +10,10 @@ use rta_core::illumination::RayKind;
 use rta_scenes::description::Description;
 
 use crate::args::ExplainArgs;
+use crate::device::Target;
 use crate::engine::{EngineError, Format, Settings};
 use crate::error::Error;
+use crate::fit::Fit;
 use crate::paired::log::{Flip, Log, Operation};
 use crate::paired::trail::{GUNS, Met, Pixel, Shine, Step, lock_step, picture, pixels};
 use crate::raster::Size;
@@ -93,21 +95,25 @@ fn reference(settings: &Settings) -> Settings {
 /// # Errors
 /// [`Error::PixelOutside`], what keeps the scene from being read or drawn, and what standard output reports.
 pub fn run(args: &ExplainArgs) -> Result<(), Error> {
-    let request = args.request();
+    let tracing = args.tracing();
+    tracing.request(Target::None).raster()?;
+    let scene = Scene::open(&args.scene)?;
+    let request = tracing.request_for(Target::None, &scene)?;
     let (size, aspect) = request.raster()?;
     if let Choice::At(x, y) = args.pixel {
         inside(size, x, y)?;
     }
-    let scene = Scene::open(&args.scene)?;
     let (width, height) = (size.width(), size.height());
     let (format, model, depth) = (request.format, request.model, request.depth);
     let settings = Settings { width, height, aspect, format, model, depth, ..Settings::default() };
-    let failed = |source| Error::Engine { name: scene.source.clone(), source };
+    let fit = Fit { format, aspect, model: Some(model), asked: request.fit };
+    let description = fit.scaled(&scene);
+    let failed = |source| fit.engine_error(&scene, source);
     let (x, y) = match args.pixel {
         Choice::At(x, y) => (x, y),
-        Choice::Worst => worst(&scene.description, &settings).map_err(failed)?,
+        Choice::Worst => worst(&description, &settings).map_err(failed)?,
     };
-    let explanation = explain(&scene.description, &settings, x, y).map_err(failed)?;
+    let explanation = explain(&description, &settings, x, y).map_err(failed)?;
     let explanation = explanation.ok_or(Error::PixelOutside { x, y, size })?;
     let title = format!("{}, pixel {x},{y} of {size}, model {model}, depth {depth}\n\n", scene.title);
     let text = format!("{title}{explanation}");

@@ -16,9 +16,10 @@ use crate::scene::Scene;
 /// What keeps the picture from being drawn.
 pub fn run(args: &HashArgs) -> Result<(), Error> {
     let target = Target::On(args.device);
-    let request = args.tracing.request(target);
-    let (size, _) = request.raster()?;
+    args.tracing.request(target).raster()?;
     let scene = Scene::open(&args.scene)?;
+    let request = args.tracing.request_for(target, &scene)?;
+    let (size, _) = request.raster()?;
     let hash =
         Work::new(&request, &scene, args.tracing.threads, interrupt::watch())?.checksum(args.device)?;
     let caption = request.caption(&scene);

@@ -5,7 +5,7 @@
 //! | step | where |
 //! | --- | --- |
 //! | what is asked for | [`args`], [`request`], [`raster`] |
-//! | the scene file | [`scene`] |
+//! | the scene file | [`scene`], [`mod@fit`] |
 //! | the tracer, in one number format and with one model | [`engine`] |
 //! | bands of rows on all cores, delivered in order | [`bands`], [`progress`], [`interrupt`] |
 //! | the emulated device with its colour table, and what is read back from it | [`device`], [`screen`] |
@@ -24,6 +24,7 @@ pub mod device;
 pub mod engine;
 pub mod error;
 pub mod explain;
+pub mod fit;
 pub mod frame;
 pub mod hash;
 pub mod interrupt;

@@ -27,13 +27,13 @@ use crate::screen::{Screen, Table};
 /// # Errors
 /// All of [`Error`].
 pub fn run(args: &RenderArgs) -> Result<(), Error> {
-    let request = args.tracing.request(args.device);
-    request.raster()?;
+    args.tracing.request(args.device).raster()?;
     let output = Output::open(&args.output, args.file_type)?;
     if let (FileType::Pfm, Target::On(device)) = (output.file_type(), args.device) {
         return Err(Error::LinearFromDevice(device));
     }
     let scene = Scene::open(&args.scene)?;
+    let request = args.tracing.request_for(args.device, &scene)?;
     let work = Work::new(&request, &scene, args.tracing.threads, interrupt::watch())?;
     let mut content = Vec::new();
     let encoded = match output.file_type() {

@@ -5,6 +5,7 @@ use rta_core::sampling::Sampling;
 use crate::device::Target;
 use crate::engine::{Engine, Format, Model, Settings};
 use crate::error::Error;
+use crate::fit::Fit;
 use crate::picture::Caption;
 use crate::raster::{Aspect, Size};
 use crate::sampling::Cutoff;
@@ -32,6 +33,8 @@ pub struct Request {
     pub size: Option<Size>,
     /// Shape of the screen, or the display's own.
     pub aspect: Option<Aspect>,
+    /// Whether a scene that does not fit the number format is scaled.
+    pub fit: bool,
 }
 
 impl Request {
@@ -62,7 +65,7 @@ impl Request {
         Ok((size, aspect.ratio()))
     }
 
-    /// The scene made ready to be traced as asked.
+    /// The scene made ready to be traced as asked. If it is scaled, that is told on standard error.
     ///
     /// # Errors
     /// Those of [`Request::raster`], and [`Error::Engine`].
@@ -78,8 +81,9 @@ impl Request {
             cutoff: self.cutoff,
             sampling: self.sampling,
         };
-        let failed = |source| Error::Engine { name: scene.source.clone(), source };
-        Engine::new(&scene.description, &settings).map_err(failed)
+        let asked = Fit { format: self.format, aspect, model: Some(self.model), asked: self.fit };
+        let description = asked.scaled(scene);
+        Engine::new(&description, &settings).map_err(|source| asked.engine_error(scene, source))
     }
 
     /// Words for a picture of `scene`.

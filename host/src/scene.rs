@@ -5,7 +5,7 @@ use std::io::{self, Read};
 use std::path::Path;
 
 use rta_scenes::description::Description;
-use rta_scenes::{dat, shipped};
+use rta_scenes::shipped;
 
 use crate::error::Error;
 
@@ -73,7 +73,7 @@ impl Scene {
     }
 
     fn parse(source: &str, title: &str, text: &[u8]) -> Result<Self, Error> {
-        let description = dat::read(text, source)?;
+        let description = rta_scenes::read(text, source)?;
         // A title goes into window titles and file names: what is not plain there is left out.
         let title =
             title.chars().map(|c| if c.is_control() || "/\\:".contains(c) { '_' } else { c }).collect();

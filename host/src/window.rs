@@ -44,12 +44,13 @@ const REFRESH: Duration = Duration::from_millis(100);
 /// # Errors
 /// All of [`Error`] but those of an output file that was named.
 pub fn run(args: &ShowArgs) -> Result<(), Error> {
-    let request = args.tracing.request(Target::On(args.device));
-    request.raster()?;
+    let target = Target::On(args.device);
+    args.tracing.request(target).raster()?;
     let scene = match &args.scene {
         Some(path) => Scene::open(path)?,
         None => Scene::juggler()?,
     };
+    let request = args.tracing.request_for(target, &scene)?;
     let stop = interrupt::watch();
     if let Some(window) = open(args.device) {
         let show = Show::new(scene, args.device, request, args.tracing.threads)?;

@@ -8,6 +8,8 @@ use std::process::{Command, Output, Stdio};
 
 #[path = "cli/firmware.rs"]
 mod firmware;
+#[path = "cli/nff.rs"]
+mod nff;
 
 /// A small scene with one of everything, each number of which some test spoils.
 const SCENE: &str = "\
@@ -183,7 +185,7 @@ fn pictures_that_cannot_be() {
         (["--threads", "0"], ["--threads", "1024"]),
         (["--device", "cga"], ["--device", "graphigs"]),
         (["--format", "f16"], ["--format", "q16"]),
-        (["--model", "phong"], ["--model", "whitted"]),
+        (["--model", "gouraud"], ["--model", "phong"]),
     ] {
         folder.refuses(&[&render[..], &options].concat(), &words);
         folder.refuses(&[&["show", "scene.dat"][..], &options].concat(), &words[..1]);

@@ -37,12 +37,12 @@ fn keys_change_the_picture_and_back() {
     assert!(show.title().contains("juggler | vga | f32 | rta | depth 5 | tolerant | "), "{}", show.title());
     let first = pixels(&mut show);
     for (there, back, word) in [
-        (vec![Command::Model], vec![Command::Model], "| whitted |"),
+        (vec![Command::Model], vec![Command::Model; 2], "| whitted |"),
         (vec![Command::Table], vec![Command::Table; 2], "| uniform |"),
         (vec![Command::Shallower; 5], vec![Command::Deeper; 5], "| depth 0 |"),
         (
             vec![Command::Format, Command::Model],
-            vec![Command::Format, Command::Format, Command::Format, Command::Model],
+            vec![Command::Format, Command::Format, Command::Format, Command::Model, Command::Model],
             "| f64 |",
         ),
     ] {

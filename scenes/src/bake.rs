@@ -29,10 +29,10 @@ use rta_core::needs::Used;
 use rta_core::range::RangeError;
 use rta_core::{Q16, Q20};
 
-use crate::dat;
-use crate::description::Description;
+use crate::description::{self, Description};
 use crate::error::SceneError;
 use crate::narrow::{NarrowError, narrow};
+use crate::read;
 
 mod literal;
 mod module;
@@ -62,6 +62,15 @@ pub enum Model {
     Rta,
     /// [`rta_core::illumination::Whitted`] or [`Phong`](rta_core::illumination::Phong), where shiny things reflect, and mirrors and glass have highlights.
     Whitted,
+}
+
+impl From<description::Model> for Model {
+    fn from(model: description::Model) -> Self {
+        match model {
+            description::Model::Rta => Self::Rta,
+            description::Model::Phong => Self::Whitted,
+        }
+    }
 }
 
 /// How a scene is baked.
@@ -142,13 +151,14 @@ impl From<RangeError> for BakeError {
     }
 }
 
-/// Bakes the scene file `path` into `OUT_DIR`, under its own name with the extension `rs`, for a screen of 4 : 3, and
-/// tells Cargo to do so again when the scene changes. Returns where the source is.
+/// Bakes the scene file `path` into `OUT_DIR`, under its own name with the extension `rs`, for a screen of 4 : 3 and the
+/// model that its format was made for, and tells Cargo to do so again when the scene changes. Returns where the source
+/// is.
 ///
 /// # Errors
 /// Whatever keeps the scene from being baked.
 pub fn bake(path: impl AsRef<Path>, format: Format) -> Result<PathBuf, BakeError> {
-    bake_with(path, &Recipe::new(format))
+    out_dir(path.as_ref(), |scene| Recipe { model: scene.model.into(), ..Recipe::new(format) })
 }
 
 /// The same by a recipe.
@@ -156,7 +166,10 @@ pub fn bake(path: impl AsRef<Path>, format: Format) -> Result<PathBuf, BakeError
 /// # Errors
 /// Whatever keeps the scene from being baked.
 pub fn bake_with(path: impl AsRef<Path>, recipe: &Recipe) -> Result<PathBuf, BakeError> {
-    let path = path.as_ref();
+    out_dir(path.as_ref(), |_| *recipe)
+}
+
+fn out_dir(path: &Path, recipe: impl FnOnce(&Description) -> Recipe) -> Result<PathBuf, BakeError> {
     let failed = |path: &Path| {
         let path = path.to_owned();
         move |source| BakeError::File { path, source }
@@ -168,7 +181,8 @@ pub fn bake_with(path: impl AsRef<Path>, recipe: &Recipe) -> Result<PathBuf, Bak
     let folder = env::var_os("OUT_DIR").ok_or(BakeError::NoBuildScript)?;
     let text = fs::read(path).map_err(failed(path))?;
     let name = path.display().to_string();
-    let source = module(&dat::read(&text, &name)?, &name, recipe)?;
+    let scene = read(&text, &name)?;
+    let source = module(&scene, &name, &recipe(&scene))?;
     let out = Path::new(&folder).join(path.file_stem().unwrap_or("scene".as_ref())).with_extension("rs");
     fs::write(&out, source).map_err(failed(&out))?;
     Ok(out)

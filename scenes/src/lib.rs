@@ -1,19 +1,23 @@
 //! Scene files of rta: readers, and their way into a scene of any number format.
 //!
-//! A reader turns a file into a [`description::Description`], owned and in `f64`; [`dat`] reads the thesis's own
-//! format. [`shipped`] holds the scenes that come with rta.
+//! A reader turns a file into a [`description::Description`], owned and in `f64`: [`dat`] reads the thesis's own
+//! format, [`nff`] that of the Standard Procedural Databases, and [`read`] chooses between them. [`shipped`] holds the
+//! scenes that come with rta; [`fit`](mod@fit) scales a scene that does not fit a number format.
 //!
 //! ```
-//! use rta_scenes::{dat, shipped};
+//! use rta_scenes::{read, shipped};
 //!
-//! let juggler = dat::read(shipped::JUGGLER.as_bytes(), "juggler.dat")?;
+//! let juggler = read(shipped::JUGGLER.as_bytes(), "juggler.dat")?;
 //! assert_eq!(juggler.spheres.len(), 70);
 //!
-//! let error = dat::read(b"0 0 1\n0 1 zero", "scene.dat").unwrap_err();
+//! let error = read(b"0 0 1\n0 1 zero", "scene.dat").unwrap_err();
 //! assert_eq!(
 //!     error.to_string(),
 //!     "scene.dat:2:5: expected the z of the direction of view (a number), found \"zero\", not a number"
 //! );
+//!
+//! let error = read(b"v\nfrom 0 0 1\nto 0 0 0", "scene.nff").unwrap_err();
+//! assert_eq!(error.to_string(), "scene.nff:3:1: expected the word \"at\" of the viewpoint, found \"to\"");
 //! # Ok::<(), rta_scenes::error::SceneError>(())
 //! ```
 
@@ -21,6 +25,7 @@ pub mod bake;
 pub mod dat;
 pub mod description;
 pub mod error;
+pub mod fit;
 pub mod narrow;
 pub mod nff;
 mod numbers;
@@ -29,3 +34,55 @@ mod space;
 mod tokens;
 
 pub use bake::bake;
+
+use std::path::Path;
+
+use description::Description;
+use error::SceneError;
+
+/// Reads a scene in the format that the name of its file says: `.nff` or `.dat`, in letters of any size. What is called
+/// otherwise, such as standard input, is NFF if it begins with a word, for the other format begins with a number.
+///
+/// # Errors
+/// Those of [`nff::read`] and [`dat::read`].
+pub fn read(text: &[u8], file: &str) -> Result<Description, SceneError> {
+    let extension = Path::new(file).extension();
+    let is = |other: &str| extension.is_some_and(|extension| extension.eq_ignore_ascii_case(other));
+    // What is not text or has nothing in it is the same error in both formats.
+    let begins_with_word = || {
+        let first = tokens::Tokens::new(text, file).ok().and_then(|mut tokens| tokens.next());
+        first.is_some_and(|token| !token.is_like_a_number())
+    };
+    if is("nff") || (!is("dat") && begins_with_word()) {
+        nff::read(text, file)
+    } else {
+        dat::read(text, file)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{dat, nff, read, shipped};
+
+    #[test]
+    fn the_name_tells_the_format_and_else_the_text() {
+        let balls = include_bytes!("../balls2.nff");
+        let glass = shipped::GLASS_2.as_bytes();
+        for name in ["a.nff", "a.NFF", "a.dat.Nff", "standard input", "balls", "balls.txt"] {
+            assert_eq!(read(balls, name), nff::read(balls, name), "{name}");
+            assert!(read(balls, name).is_ok(), "{name}");
+        }
+        for name in ["a.dat", "a.DAT", "nff", "standard input", "a.nff.txt", ".nff"] {
+            assert_eq!(read(glass, name), dat::read(glass, name), "{name}");
+            assert!(read(glass, name).is_ok(), "{name}");
+        }
+        // The name is believed: the error is about the format that it promises.
+        assert_eq!(read(glass, "a.nff"), nff::read(glass, "a.nff"));
+        assert_eq!(read(balls, "a.dat"), dat::read(balls, "a.dat"));
+        // A number that is wrong is a number.
+        for text in ["1,5 2 3", "-x", "NaN 1 1", "", "# v", "\0"] {
+            let error = read(text.as_bytes(), "input").expect_err("it is no scene");
+            assert_eq!(Err(error), dat::read(text.as_bytes(), "input"), "{text}");
+        }
+    }
+}

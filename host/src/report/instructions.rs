@@ -19,6 +19,7 @@ use super::setting::{Limit, Method, samplings};
 use crate::args::InstructionsArgs;
 use crate::engine::EngineError;
 use crate::error::Error;
+use crate::fit::Hint;
 use crate::scene::Scene;
 
 /// The function that is counted, as callgrind is told: the end of its path, or that and what it is generic over. (To
@@ -51,7 +52,7 @@ pub fn order() -> impl Iterator<Item = (Method, Limit)> {
 /// Those of reading a scene and making it ready.
 pub fn run(args: &InstructionsArgs) -> Result<(), Error> {
     let scene = Scene::open(Path::new("-"))?;
-    let failed = |source| Error::Engine { name: scene.source.clone(), source };
+    let failed = |source| Error::Engine { name: scene.source.clone(), source, fit: Hint::None };
     let raster =
         Raster::new(args.size.width(), args.size.height()).map_err(EngineError::from).map_err(failed)?;
     for (method, limit) in order() {

@@ -18,6 +18,7 @@ use super::tap::Rays;
 use crate::device::Device;
 use crate::engine::{EngineError, Format};
 use crate::error::Error;
+use crate::fit::Hint;
 use crate::picture::Pixels;
 use crate::progress::Progress;
 use crate::raster::Size;
@@ -150,7 +151,7 @@ fn ready(source: &Source, setup: Setup, format: Format) -> Result<Box<dyn Bench>
 }
 
 fn failed(source: &Source) -> impl Fn(EngineError) -> Error {
-    |error| Error::Engine { name: source.scene.source.clone(), source: error }
+    |error| Error::Engine { name: source.scene.source.clone(), source: error, fit: Hint::None }
 }
 
 fn raster(source: &Source, setup: Setup) -> Result<Raster, Error> {
