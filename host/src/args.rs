@@ -289,7 +289,7 @@ pub struct TracingArgs {
     /// Pixels of the picture [default: the device's; with --device none those of a .nff, else 320x200]
     ///
     /// On a device the picture is a window in its raster, so it may not be larger, and its pixels keep their
-    /// shape. Up to 65535 pixels a side, and as many in all as 8192x8192 has.
+    /// shape. Up to 65535 pixels a side; with --device none only a band of rows is held in memory.
     #[arg(long, value_name = "WxH")]
     pub size: Option<Size>,
     /// Shape of the screen that the picture fills, as 4:3 or 1.333

@@ -32,19 +32,20 @@ pub fn pool(count: Option<u16>) -> Result<ThreadPool, Error> {
 /// # Errors
 /// [`Error::Interrupted`] soon after `stop` becomes true, and the first error of `deliver`, which also ends the
 /// work.
-pub fn bands<T: Clone + Default + Send>(
+pub fn bands<T: Clone + Default + Send, E: From<Error>>(
     size: Size,
     pool: &ThreadPool,
     stop: &AtomicBool,
     trace: impl Fn(u32, &mut [T]) + Sync,
-    mut deliver: impl FnMut(u32, Vec<T>) -> Result<(), Error>,
-) -> Result<(), Error> {
+    mut deliver: impl FnMut(u32, Vec<T>) -> Result<(), E>,
+) -> Result<(), E> {
     let rows = (BAND_PIXELS / size.width()).clamp(1, size.height());
     let abandoned = AtomicBool::new(false);
     let (trace, ended) = (&trace, || stop.load(Ordering::Relaxed) || abandoned.load(Ordering::Relaxed));
     let ended = &ended;
     pool.in_place_scope(|scope| {
-        let (sender, receiver) = mpsc::channel();
+        // Bounded, so that a slow delivery holds up the work and does not gather a picture.
+        let (sender, receiver) = mpsc::sync_channel(4 * pool.current_num_threads());
         scope.spawn(move |_| {
             let firsts = (0..size.height()).step_by(rows as usize);
             firsts.par_bridge().for_each_with(sender, |sender, first| {
@@ -64,13 +65,13 @@ pub fn bands<T: Clone + Default + Send>(
             early.insert(first, (count, pixels));
             while let Some((count, pixels)) = early.remove(&next) {
                 if ended() {
-                    return Err(Error::Interrupted);
+                    return Err(Error::Interrupted.into());
                 }
                 deliver(next, pixels).inspect_err(|_| abandoned.store(true, Ordering::Relaxed))?;
                 next += count;
             }
         }
-        if next == size.height() { Ok(()) } else { Err(Error::Interrupted) }
+        if next == size.height() { Ok(()) } else { Err(Error::Interrupted.into()) }
     })
 }
 
@@ -100,7 +101,7 @@ mod tests {
                 let pool = pool(Some(threads)).expect("threads");
                 let mut seen = Vec::new();
                 let trace = |first, pixels: &mut [u32]| pattern(width, first, pixels);
-                let deliver = |first: u32, pixels: Vec<u32>| {
+                let deliver = |first: u32, pixels: Vec<u32>| -> Result<(), Error> {
                     assert_eq!(first as usize * size.columns(), seen.len());
                     seen.extend(pixels);
                     Ok(())
@@ -119,7 +120,7 @@ mod tests {
             traced.fetch_add(1, Ordering::Relaxed);
             std::thread::sleep(core::time::Duration::from_millis(1));
         };
-        let deliver = |first, _| {
+        let deliver = |first, _| -> Result<(), Error> {
             stop.store(first >= 10, Ordering::Relaxed);
             Ok(())
         };

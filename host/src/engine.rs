@@ -5,6 +5,7 @@ use core::fmt;
 use rta_core::color::Rgb;
 use rta_core::illumination::{Illumination, Phong, Rta, Whitted};
 use rta_core::needs::Everything;
+use rta_core::range::{Admitted, Limits};
 use rta_core::raster::{Pixels, Raster};
 use rta_core::sampling::{Sampling, Supersampled};
 use rta_core::scalar::Unit;
@@ -136,6 +137,7 @@ trait Rows: Send + Sync {
 
 struct Picture<S: Narrow, M> {
     scene: Narrowed<S>,
+    limits: Limits<S>,
     model: M,
     depth: u32,
     cutoff: Cutoff,
@@ -146,7 +148,8 @@ struct Picture<S: Narrow, M> {
 impl<S: Narrow, M: Illumination<S> + Copy> Picture<S, M> {
     fn tracer(&self) -> Result<Tracer<'_, S, M, Everything, { MAX_DEPTH as usize }>, Error> {
         let cutoff = S::Unit::ratio(self.cutoff.numerator(), self.cutoff.denominator());
-        let admitted = self.scene.scene().admit(&self.scene.camera)?;
+        // Proved once, when the picture was made ready.
+        let admitted = Admitted::baked(self.scene.scene(), self.limits);
         Ok(Tracer::new(admitted, self.model, self.depth)?.with_cutoff(cutoff))
     }
 
@@ -220,7 +223,9 @@ fn picture<S: Narrow, M: Illumination<S> + Copy + 'static>(
 ) -> Result<Box<dyn Rows>, EngineError> {
     let raster = Raster::new(settings.width, settings.height)?;
     let Settings { aspect, depth, cutoff, sampling, .. } = *settings;
-    let picture = Picture { scene: narrow::<S>(scene, aspect)?, model, depth, cutoff, sampling, raster };
+    let scene = narrow::<S>(scene, aspect)?;
+    let limits = scene.scene().admit(&scene.camera).map_err(Error::from)?.limits();
+    let picture = Picture { scene, limits, model, depth, cutoff, sampling, raster };
     picture.tracer()?;
     Ok(Box::new(picture))
 }

@@ -1,7 +1,7 @@
 //! Where a picture goes: checked before the work, and complete or not there at all after it.
 
 use std::fs::{self, File, OpenOptions, Permissions};
-use std::io::{self, IsTerminal, Write};
+use std::io::{self, BufWriter, IsTerminal, Write};
 use std::path::{Path, PathBuf};
 
 use crate::error::Error;
@@ -59,7 +59,19 @@ impl Output {
     /// # Errors
     /// [`Error::Write`], and [`Error::BrokenPipe`] if the reader of a pipe has gone.
     pub fn write(self, content: &[u8]) -> Result<(), Error> {
-        self.place.write(content).map_err(|source| Error::write(&self.path, source))
+        self.fill(|out| out.write_all(content).map_err(Failure::Write))
+    }
+
+    /// Lets `fill` write a file beside its place and puts it there at the end; if anything fails, what was there stays as
+    /// it was. A pipe or device gets everything at once.
+    ///
+    /// # Errors
+    /// [`Error::Write`], [`Error::BrokenPipe`] if the reader of a pipe has gone, and those of `fill`.
+    pub fn fill(self, fill: impl FnOnce(&mut dyn Write) -> Result<(), Failure>) -> Result<(), Error> {
+        self.place.fill(fill).map_err(|failure| match failure {
+            Failure::Write(source) => Error::write(&self.path, source),
+            Failure::Other(error) => error,
+        })
     }
 }
 
@@ -87,20 +99,47 @@ impl Place {
         Ok(Self::File { path, permissions })
     }
 
-    fn write(self, content: &[u8]) -> io::Result<()> {
+    fn fill(self, fill: impl FnOnce(&mut dyn Write) -> Result<(), Failure>) -> Result<(), Failure> {
         match self {
             Self::Stdout => {
-                let mut out = io::stdout().lock();
-                out.write_all(content).and_then(|()| out.flush())
+                let mut out = BufWriter::new(io::stdout().lock());
+                fill(&mut out)?;
+                out.flush()?;
             }
-            Self::Special(mut file) => file.write_all(content),
+            Self::Special(file) => {
+                let mut out = BufWriter::new(file);
+                fill(&mut out)?;
+                out.flush()?;
+            }
             Self::File { path, permissions } => {
-                let mut file = beside(&path, permissions.as_ref())?;
-                file.write_all(content)?;
-                file.persist(&path)?;
-                Ok(())
+                let mut out = BufWriter::new(beside(&path, permissions.as_ref())?);
+                fill(&mut out)?;
+                let file = out.into_inner().map_err(io::IntoInnerError::into_error)?;
+                file.persist(&path).map_err(io::Error::from)?;
             }
         }
+        Ok(())
+    }
+}
+
+/// Why an output is not filled.
+#[derive(Debug)]
+pub enum Failure {
+    /// It cannot be written.
+    Write(io::Error),
+    /// There is nothing to write.
+    Other(Error),
+}
+
+impl From<io::Error> for Failure {
+    fn from(source: io::Error) -> Self {
+        Self::Write(source)
+    }
+}
+
+impl From<Error> for Failure {
+    fn from(error: Error) -> Self {
+        Self::Other(error)
     }
 }
 
@@ -109,7 +148,8 @@ impl Place {
 /// # Errors
 /// [`Error::Write`], and [`Error::BrokenPipe`] if the reader of a pipe has gone.
 pub fn write_text(path: &Path, content: &str) -> Result<(), Error> {
-    Place::find(path)?.write(content.as_bytes()).map_err(|source| Error::write(path, source))
+    Output { path: path.to_owned(), file_type: FileType::Png, place: Place::find(path)? }
+        .write(content.as_bytes())
 }
 
 /// Writes `content` as a new file in the current folder: `stem.png`, or with a number if that is taken. Returns

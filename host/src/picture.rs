@@ -9,6 +9,7 @@ use std::io::{self, Write};
 use clap::ValueEnum;
 use rta_core::color::Rgb;
 
+use crate::output::Failure;
 use crate::raster::{Size, fraction};
 
 /// The kinds of picture file that are written.
@@ -79,26 +80,17 @@ impl Displayed {
     ///
     /// # Errors
     /// What `out` reports.
-    pub fn write_png(&self, caption: &Caption, out: &mut impl Write) -> io::Result<()> {
-        let mut info = png::Info::with_size(self.size.width(), self.size.height());
-        info.bit_depth = png::BitDepth::Eight;
-        info.pixel_dims = self.pixel_shape();
+    pub fn write_png(&self, caption: &Caption, out: impl Write) -> io::Result<()> {
+        let mut info = info(self.size, self.aspect);
         let data = match &self.pixels {
             Pixels::Indexed { palette, indices } => {
                 info.color_type = png::ColorType::Indexed;
                 info.palette = Some(bytes(palette).into());
                 indices.clone()
             }
-            Pixels::Direct(pixels) => {
-                info.color_type = png::ColorType::Rgb;
-                bytes(pixels)
-            }
+            Pixels::Direct(pixels) => bytes(pixels),
         };
-        let mut encoder = png::Encoder::with_info(out, info)?;
-        encoder.add_text_chunk("Software".into(), concat!("rta ", env!("CARGO_PKG_VERSION")).into())?;
-        encoder.add_itxt_chunk("Title".into(), caption.title.clone())?;
-        encoder.add_itxt_chunk("Comment".into(), caption.settings.clone())?;
-        let mut writer = encoder.write_header()?;
+        let mut writer = header(info, caption, out)?;
         writer.write_image_data(&data)?;
         Ok(writer.finish()?)
     }
@@ -107,8 +99,8 @@ impl Displayed {
     ///
     /// # Errors
     /// What `out` reports.
-    pub fn write_ppm(&self, out: &mut impl Write) -> io::Result<()> {
-        write!(out, "P6\n{} {}\n255\n", self.size.width(), self.size.height())?;
+    pub fn write_ppm(&self, out: &mut (impl Write + ?Sized)) -> io::Result<()> {
+        write_ppm_header(self.size, out)?;
         match &self.pixels {
             Pixels::Direct(pixels) => out.write_all(&bytes(pixels)),
             Pixels::Indexed { palette, indices } => {
@@ -117,43 +109,102 @@ impl Displayed {
             }
         }
     }
-
-    /// The ratio of a pixel's sides as the pHYs chunk has it (pixels per unit along x and y), unless it is square.
-    fn pixel_shape(&self) -> Option<png::PixelDimensions> {
-        let (width, height) = fraction(self.aspect / self.size.ratio());
-        // A pixel of 5 by 6 units is 6 pixels across for 5 down.
-        (width != height).then_some(png::PixelDimensions {
-            xppu: height,
-            yppu: width,
-            unit: png::Unit::Unspecified,
-        })
-    }
 }
 
-fn bytes(pixels: &[Rgb<u8>]) -> Vec<u8> {
+/// What a PNG with 8-bit RGB says of itself, with the ratio of a pixel's sides (pHYs: pixels per unit along x and y)
+/// unless it is square.
+fn info(size: Size, aspect: f64) -> png::Info<'static> {
+    let mut info = png::Info::with_size(size.width(), size.height());
+    info.bit_depth = png::BitDepth::Eight;
+    info.color_type = png::ColorType::Rgb;
+    let (width, height) = fraction(aspect / size.ratio());
+    // A pixel of 5 by 6 units is 6 pixels across for 5 down.
+    info.pixel_dims = (width != height).then_some(png::PixelDimensions {
+        xppu: height,
+        yppu: width,
+        unit: png::Unit::Unspecified,
+    });
+    info
+}
+
+/// Writes all of a PNG that comes before its pixels.
+fn header<W: Write>(info: png::Info, caption: &Caption, out: W) -> io::Result<png::Writer<W>> {
+    let mut encoder = png::Encoder::with_info(out, info)?;
+    encoder.add_text_chunk("Software".into(), concat!("rta ", env!("CARGO_PKG_VERSION")).into())?;
+    encoder.add_itxt_chunk("Title".into(), caption.title.clone())?;
+    encoder.add_itxt_chunk("Comment".into(), caption.settings.clone())?;
+    Ok(encoder.write_header()?)
+}
+
+/// Writes a PNG with 8-bit RGB whose registers `fill` writes, from left to right and from top to bottom.
+///
+/// # Errors
+/// What `out` reports, and those of `fill`.
+pub fn write_png_rows(
+    size: Size,
+    aspect: f64,
+    caption: &Caption,
+    out: &mut dyn Write,
+    fill: impl FnOnce(&mut dyn Write) -> Result<(), Failure>,
+) -> Result<(), Failure> {
+    let mut writer = header(info(size, aspect), caption, out)?;
+    let mut rows = writer.stream_writer().map_err(io::Error::from)?;
+    fill(&mut rows)?;
+    rows.finish().map_err(io::Error::from)?;
+    Ok(writer.finish().map_err(io::Error::from)?)
+}
+
+/// The registers one after the other.
+pub(crate) fn bytes(pixels: &[Rgb<u8>]) -> Vec<u8> {
     pixels.iter().flat_map(|pixel| [pixel.r, pixel.g, pixel.b]).collect()
 }
 
-/// Writes linear light as a PFM: `PF`, little endian (scale -1.0), rows from the bottom to the top as the format
-/// has it. `pixels` are rows from the top.
+/// Writes the header of a binary PPM (P6) with 8 bits a gun.
 ///
 /// # Errors
 /// What `out` reports.
-pub fn write_pfm(size: Size, pixels: &[Rgb<f32>], out: &mut impl Write) -> io::Result<()> {
-    write!(out, "PF\n{} {}\n-1.0\n", size.width(), size.height())?;
-    for row in pixels.chunks(size.columns()).rev() {
-        let row: Vec<u8> =
-            row.iter().flat_map(|pixel| [pixel.r, pixel.g, pixel.b]).flat_map(f32::to_le_bytes).collect();
-        out.write_all(&row)?;
+pub fn write_ppm_header(size: Size, out: &mut (impl Write + ?Sized)) -> io::Result<()> {
+    write!(out, "P6\n{} {}\n255\n", size.width(), size.height())
+}
+
+/// Writes the header of a PFM: `PF`, little endian (scale -1.0). Rows follow from the bottom to the top.
+///
+/// # Errors
+/// What `out` reports.
+pub fn write_pfm_header(size: Size, out: &mut (impl Write + ?Sized)) -> io::Result<()> {
+    write!(out, "PF\n{} {}\n-1.0\n", size.width(), size.height())
+}
+
+/// Writes linear light as a PFM has it.
+///
+/// # Errors
+/// [`Failure::Write`].
+pub fn write_light(pixels: &[Rgb<f32>], out: &mut (impl Write + ?Sized)) -> Result<(), Failure> {
+    let registers = pixels.iter().flat_map(|pixel| [pixel.r, pixel.g, pixel.b]);
+    Ok(out.write_all(&registers.flat_map(f32::to_le_bytes).collect::<Vec<u8>>())?)
+}
+
+/// Puts rows of `columns` pixels in the opposite order.
+pub fn flip<T>(pixels: &mut [T], columns: usize) {
+    let mut rest = pixels;
+    while rest.len() >= 2 * columns && columns > 0 {
+        let (first, others) = rest.split_at_mut(columns);
+        let (middle, last) = others.split_at_mut(others.len() - columns);
+        first.swap_with_slice(last);
+        rest = middle;
     }
-    Ok(())
 }
 
 #[cfg(test)]
 mod tests {
     use rta_core::color::Rgb;
 
-    use super::{Caption, Displayed, FileType, Pixels, write_pfm};
+    use std::io::Write;
+
+    use super::{
+        Caption, Displayed, FileType, Pixels, bytes, flip, write_light, write_pfm_header, write_png_rows,
+    };
+    use crate::output::Failure;
     use crate::raster::Size;
 
     const RED: Rgb<u8> = Rgb::new(255, 0, 0);
@@ -212,12 +263,38 @@ mod tests {
     }
 
     #[test]
-    fn a_pfm_goes_from_the_bottom_up_in_little_endian() {
+    fn a_pfm_is_in_little_endian() {
         let mut file = Vec::new();
-        let pixels = [Rgb::new(1.0, 2.0, -0.5), Rgb::new(0.0, 40_000.0, 0.25)];
-        write_pfm(Size::new(1, 2).expect("small"), &pixels, &mut file).expect("memory takes it");
+        let pixels = [Rgb::new(0.0, 40_000.0, 0.25), Rgb::new(1.0, 2.0, -0.5)];
+        write_pfm_header(Size::new(1, 2).expect("small"), &mut file).expect("memory takes it");
+        write_light(&pixels, &mut file).expect("memory takes it");
         let numbers: Vec<u8> =
             [0.0_f32, 40_000.0, 0.25, 1.0, 2.0, -0.5].into_iter().flat_map(f32::to_le_bytes).collect();
         assert_eq!(file, [b"PF\n1 2\n-1.0\n".as_slice(), &numbers].concat());
+    }
+
+    #[test]
+    fn rows_are_flipped() {
+        for (rows, want) in [(0, vec![]), (1, vec![0, 1]), (2, vec![2, 3, 0, 1]), (3, vec![4, 5, 2, 3, 0, 1])]
+        {
+            let mut pixels: Vec<i32> = (0..2 * rows).collect();
+            flip(&mut pixels, 2);
+            assert_eq!(pixels, want);
+        }
+    }
+
+    #[test]
+    fn rows_of_a_png_one_by_one_are_the_picture() {
+        let size = Size::new(2, 3).expect("small");
+        let pixels = [RED, GRAY, GRAY, RED, RED, GRAY];
+        let mut file = Vec::new();
+        let fill = |rows: &mut dyn Write| {
+            pixels.chunks(4).try_for_each(|part| rows.write_all(&bytes(part))).map_err(Failure::Write)
+        };
+        write_png_rows(size, size.ratio(), &Caption::default(), &mut file, fill).expect("memory takes it");
+        let mut reader = png::Decoder::new(std::io::Cursor::new(file)).read_info().expect("a PNG");
+        let mut got = [9; 18];
+        reader.next_frame(&mut got).expect("six pixels");
+        assert_eq!(got.as_slice(), bytes(&pixels));
     }
 }

@@ -1,6 +1,7 @@
 //! `rta render`: a scene into a picture file.
 
 use core::sync::atomic::AtomicBool;
+use std::io::{self, Write};
 
 use rayon::ThreadPool;
 use rta_core::color::Rgb;
@@ -13,36 +14,34 @@ use crate::device::{Device, Target};
 use crate::engine::Engine;
 use crate::error::Error;
 use crate::interrupt;
-use crate::output::Output;
-use crate::picture::{Displayed, FileType, Pixels, write_pfm};
+use crate::output::{Failure, Output};
+use crate::picture::{
+    Caption, Displayed, FileType, Pixels, bytes, flip, write_light, write_pfm_header, write_png_rows,
+    write_ppm_header,
+};
 use crate::progress::Progress;
 use crate::raster::Size;
 use crate::request::Request;
 use crate::scene::Scene;
 use crate::screen::{Screen, Table};
 
-/// Does what `rta render` is asked to. Whatever can be wrong is found before the first ray, and the output is
-/// only touched once the picture is complete.
+/// Does what `rta render` is asked to. Whatever can be wrong is found before the first ray, and a file is only replaced
+/// once the picture is complete.
 ///
 /// # Errors
 /// All of [`Error`].
 pub fn run(args: &RenderArgs) -> Result<(), Error> {
     args.tracing.request(args.device).raster()?;
     let output = Output::open(&args.output, args.file_type)?;
-    if let (FileType::Pfm, Target::On(device)) = (output.file_type(), args.device) {
+    let file_type = output.file_type();
+    if let (FileType::Pfm, Target::On(device)) = (file_type, args.device) {
         return Err(Error::LinearFromDevice(device));
     }
     let scene = Scene::open(&args.scene)?;
     let request = args.tracing.request_for(args.device, &scene)?;
     let work = Work::new(&request, &scene, args.tracing.threads, interrupt::watch())?;
-    let mut content = Vec::new();
-    let encoded = match output.file_type() {
-        FileType::Png => work.displayed()?.write_png(&request.caption(&scene), &mut content),
-        FileType::Ppm => work.displayed()?.write_ppm(&mut content),
-        FileType::Pfm => write_pfm(work.size, &work.linear()?, &mut content),
-    };
-    encoded.map_err(|source| Error::write(&args.output, source))?;
-    output.write(&content)
+    let caption = request.caption(&scene);
+    output.fill(|out| work.write(file_type, &caption, out))
 }
 
 /// A picture about to be traced.
@@ -68,6 +67,37 @@ impl<'a> Work<'a> {
     ) -> Result<Self, Error> {
         let (size, aspect) = request.raster()?;
         Ok(Self { engine: request.engine(scene)?, request, size, aspect, pool: bands::pool(threads)?, stop })
+    }
+
+    /// Traces the picture and writes it. Without a device only some bands of rows are held in memory.
+    fn write(&self, file_type: FileType, caption: &Caption, out: &mut dyn Write) -> Result<(), Failure> {
+        match (file_type, self.request.target) {
+            (FileType::Png, Target::On(_)) => Ok(self.displayed()?.write_png(caption, out)?),
+            (FileType::Ppm, Target::On(_)) => Ok(self.displayed()?.write_ppm(out)?),
+            (FileType::Pfm, _) => {
+                write_pfm_header(self.size, out)?;
+                // From the bottom to the top, as the format has it.
+                let trace = |first, light: &mut [_]| {
+                    let rows = u32::try_from(light.len() / self.size.columns()).unwrap_or(u32::MAX);
+                    self.engine.linear_rows(self.size.height() - first - rows, light);
+                    flip(light, self.size.columns());
+                };
+                self.trace(trace, |_, light| write_light(&light, out))
+            }
+            (FileType::Png, Target::None) => write_png_rows(self.size, self.aspect, caption, out, |rows| {
+                self.direct(|pixels| rows.write_all(&bytes(pixels)))
+            }),
+            (FileType::Ppm, Target::None) => {
+                write_ppm_header(self.size, out)?;
+                self.direct(|pixels| out.write_all(&bytes(pixels)))
+            }
+        }
+    }
+
+    /// Traces the picture with 8 bits a gun and hands it over in bands.
+    fn direct(&self, mut deliver: impl FnMut(&[Rgb<u8>]) -> io::Result<()>) -> Result<(), Failure> {
+        let trace = |first, levels: &mut [_]| self.engine.level_rows(first, u8::MAX, levels);
+        self.trace(trace, |_, levels| Ok(deliver(&levels)?))
     }
 
     /// Traces the picture as its display shows it.
@@ -125,16 +155,16 @@ impl<'a> Work<'a> {
         pixels.try_reserve_exact(self.size.pixels()).map_err(|_| Error::Memory(self.size))?;
         self.trace(trace, |_, band| {
             pixels.extend(band);
-            Ok(())
+            Ok::<_, Error>(())
         })?;
         Ok(pixels)
     }
 
-    fn trace<T: Clone + Default + Send>(
+    fn trace<T: Clone + Default + Send, E: From<Error>>(
         &self,
         trace: impl Fn(u32, &mut [T]) + Sync,
-        mut deliver: impl FnMut(u32, Vec<T>) -> Result<(), Error>,
-    ) -> Result<(), Error> {
+        mut deliver: impl FnMut(u32, Vec<T>) -> Result<(), E>,
+    ) -> Result<(), E> {
         let mut progress = Progress::new(self.size.height());
         bands::bands(self.size, &self.pool, self.stop, trace, |first, band| {
             deliver(first, band)?;

@@ -90,7 +90,7 @@ impl Exact {
         };
         bands::bands(size, &bands::pool(Some(threads))?, &AtomicBool::new(false), trace, |_, band| {
             pixels.extend(band);
-            Ok(())
+            Ok::<_, rta::error::Error>(())
         })?;
         Ok(pixels)
     }
