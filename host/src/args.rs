@@ -317,23 +317,12 @@ impl TracingArgs {
         Request { target, table, format, model, depth, cutoff, sampling, size, aspect, fit }
     }
 
-    /// The same for a scene. Where the arguments name no model, it is the one that the scene was made for; where
-    /// neither they nor a device have a size, it is the scene's, with square pixels.
+    /// The same for a scene.
     ///
     /// # Errors
-    /// [`Error::SceneSize`].
+    /// Those of [`Request::for_scene`].
     pub fn request_for(&self, target: Target, scene: &Scene) -> Result<Request, Error> {
-        let mut request = self.request(target);
-        request.model = self.model.unwrap_or(scene.description.model.into());
-        if let (Target::None, None, Some([width, height])) = (target, self.size, scene.description.raster) {
-            let name = || scene.source.clone();
-            let failed = |reason| Error::SceneSize { name: name(), width, height, reason };
-            let size = Size::new(width, height).map_err(failed)?;
-            let square = || Aspect::new(size.ratio()).map_err(failed);
-            request.size = Some(size);
-            request.aspect = Some(self.aspect.map_or_else(square, Ok)?);
-        }
-        Ok(request)
+        self.request(target).for_scene(self.model, scene)
     }
 }
 

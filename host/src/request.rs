@@ -38,6 +38,25 @@ pub struct Request {
 }
 
 impl Request {
+    /// The request for a scene. The model is the one that was `asked` for, else the one that the scene was made for;
+    /// where neither the request nor a device has a size, it is the scene's, with square pixels.
+    ///
+    /// # Errors
+    /// [`Error::SceneSize`].
+    pub fn for_scene(mut self, asked: Option<Model>, scene: &Scene) -> Result<Self, Error> {
+        self.model = asked.unwrap_or(scene.description.model.into());
+        if let (Target::None, None, Some([width, height])) =
+            (self.target, self.size, scene.description.raster)
+        {
+            let failed = |reason| Error::SceneSize { name: scene.source.clone(), width, height, reason };
+            let size = Size::new(width, height).map_err(failed)?;
+            let square = || Aspect::new(size.ratio()).map_err(failed);
+            self.size = Some(size);
+            self.aspect = Some(self.aspect.map_or_else(square, Ok)?);
+        }
+        Ok(self)
+    }
+
     /// Pixels of the picture and shape of the screen that it fills (width over height).
     ///
     /// A picture smaller than its device is a window in the device's raster and keeps the shape of the device's

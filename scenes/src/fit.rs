@@ -29,6 +29,12 @@ impl Description {
         if self.floor.is_some() {
             return Err(FloorError);
         }
+        self.scale(factor);
+        Ok(self)
+    }
+
+    /// The same, whatever the floor.
+    fn scale(&mut self, factor: f64) {
         let scale = |place: &mut [f64; 3]| place.iter_mut().for_each(|c| *c *= factor);
         scale(&mut self.camera.eye);
         for cylinder in &mut self.cylinders {
@@ -59,7 +65,6 @@ impl Description {
                 color.iter_mut().for_each(|register| *register *= factor * factor);
             }
         }
-        Ok(self)
     }
 }
 
@@ -72,14 +77,18 @@ pub fn fit(scene: &Description, fits: impl Fn(&Description) -> bool) -> Result<O
     if fits(scene) {
         return Ok(Some(1.0));
     }
-    let larger = 1..=*EXPONENTS.end();
-    for exponent in larger.flat_map(|exponent| [-exponent, exponent]) {
-        let factor = 2_f64.powi(exponent);
-        if fits(&scene.clone().scaled(factor)?) {
-            return Ok(Some(factor));
-        }
+    if scene.floor.is_some() {
+        return Err(FloorError);
     }
-    Ok(None)
+    // One copy for all: powers of two do not round, and a scene may hold a million objects.
+    let (mut copy, mut last) = (scene.clone(), 1.0);
+    let larger = 1..=*EXPONENTS.end();
+    let mut factors = larger.flat_map(|exponent| [-exponent, exponent]).map(|exponent| 2_f64.powi(exponent));
+    Ok(factors.find(|&factor| {
+        copy.scale(factor / last);
+        last = factor;
+        fits(&copy)
+    }))
 }
 
 #[cfg(test)]

@@ -84,7 +84,7 @@ fn stars_are_covered() {
     for points in [5_u32, 8, 60] {
         let half = core::f64::consts::PI / f64::from(points);
         let corner = |i: u32| {
-            let (angle, radius) = (half * f64::from(i), if i % 2 == 0 { 1.0 } else { 0.2 });
+            let (angle, radius) = (half * f64::from(i), if i.is_multiple_of(2) { 1.0 } else { 0.2 });
             [radius * angle.cos() + 100.0, radius * angle.sin() - 7.0, 5.0]
         };
         let corners: Vec<_> = (0..2 * points).map(corner).collect();
