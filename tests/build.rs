@@ -7,7 +7,6 @@ use std::fs;
 use std::path::Path;
 
 use rta_scenes::bake::{Format, Model, Recipe, bake, module};
-use rta_scenes::dat;
 
 /// Scene files, and the name of each in Rust.
 const SCENES: [(&str, &str); 3] = [
@@ -32,6 +31,12 @@ fn main() -> Result<(), Box<dyn Error>> {
         "../scenes/hall-22.dat",
         &Recipe { model: Model::Whitted, ..Recipe::new(Format::Q16) },
     )?;
+    // Boxes, triangles and cones; firmware has the boxes only where there are many objects.
+    for (suffix, format) in [("q16", Format::Q16), ("f32", Format::F32)] {
+        let recipe = Recipe { model: Model::Whitted, ..Recipe::new(format) };
+        write(&format!("solids_{suffix}"), "scenes/solids.nff", &recipe)?;
+        write(&format!("balls_2_{suffix}"), "../scenes/balls2.nff", &recipe)?;
+    }
     write("glass_2_f64", "../scenes/glass-2.dat", &Recipe::new(Format::F64))
 }
 
@@ -39,7 +44,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 fn write(name: &str, file: &str, recipe: &Recipe) -> Result<(), Box<dyn Error>> {
     println!("cargo::rerun-if-changed={file}");
     let text = fs::read(file)?;
-    let source = module(&dat::read(&text, file)?, name, recipe)?;
+    let source = module(&rta_scenes::read(&text, file)?, name, recipe)?;
     fs::write(Path::new(&env::var("OUT_DIR")?).join(name).with_extension("rs"), source)?;
     Ok(())
 }

@@ -56,7 +56,8 @@ pub struct Sky<S: Scalar> {
 impl<S: Scalar> Sky<S> {
     /// Radiance in a direction.
     fn radiance<N: Needs>(&self, direction: UnitVec3<S>) -> Rgb<S::Light> {
-        if !N::SKY_GRADIENT {
+        // A sum of parts of one colour would be rounded.
+        if !N::SKY_GRADIENT || self.horizon == self.zenith {
             return self.horizon;
         }
         let high = direction.z().times(direction.z());
@@ -146,9 +147,9 @@ impl<S: Scalar> Scene<'_, S> {
         Ray { origin, direction, plan }
     }
 
-    /// Whether there is a hierarchy of boxes.
+    /// Whether the search goes by boxes: where there are some; but without lanes a hierarchy of spheres is quicker.
     fn is_boxed<N: Needs>(&self) -> bool {
-        N::BOXES && !self.boxes.nodes.is_empty()
+        N::BOXES && !self.boxes.nodes.is_empty() && (S::LANES || !N::HIERARCHY || self.hierarchy.is_empty())
     }
 
     /// Where a ray meets an item nearer than `t_max`.

@@ -202,7 +202,7 @@ pub fn module(scene: &Description, name: &str, recipe: &Recipe) -> Result<String
 }
 
 fn in_format<S: Literal>(scene: &Description, name: &str, recipe: &Recipe) -> Result<String, BakeError> {
-    let narrowed = narrow::<S>(scene, recipe.aspect)?;
+    let narrowed = narrow::<S>(scene, recipe.aspect)?.without_lanes(scene);
     let limits = narrowed.scene().admit(&narrowed.camera)?.limits();
     let used = Used::by(&narrowed.scene(), recipe.model == Model::Whitted);
     let mut source = String::new();

@@ -83,6 +83,17 @@ pub struct Narrowed<S: Scalar> {
 }
 
 impl<S: Scalar> Narrowed<S> {
+    /// Without the boxes, where a machine without lanes is as quick without them: a hierarchy of spheres, or none, does.
+    #[must_use]
+    pub fn without_lanes(mut self, description: &Description) -> Self {
+        if !bvh::is_worthwhile(description) {
+            self.boxes.clear();
+            self.items.clear();
+            self.size = S::ZERO;
+        }
+        self
+    }
+
     /// The scene, borrowed.
     pub fn scene(&self) -> Scene<'_, S> {
         Scene {
@@ -294,7 +305,8 @@ pub fn narrow<S: Narrow>(description: &Description, aspect: f64) -> Result<Narro
     let triangles = description.triangles.iter().enumerate().map(|(i, t)| triangle::narrow(i, t));
     let triangles = triangles.collect::<Result<Vec<_>, _>>()?;
     let bvh::Built { nodes, items, size } = bvh::build::<S>(description);
-    let hierarchy = if nodes.is_empty() { hierarchy::build(&description.spheres) } else { Vec::new() };
+    let boxed = !nodes.is_empty() && bvh::is_worthwhile(description);
+    let hierarchy = if boxed { Vec::new() } else { hierarchy::build(&description.spheres) };
     let lamps: Result<Vec<_>, _> = description.lamps.iter().enumerate().map(|(i, l)| lamp(i, l)).collect();
     let floor = match &description.floor {
         None => None,

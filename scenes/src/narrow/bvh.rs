@@ -8,8 +8,10 @@ use super::bounds::Bounds;
 use crate::description::Description;
 use crate::space::{difference, length};
 
-/// Fewer objects than this are as quickly tried one after another, or by a hierarchy of spheres.
+/// Fewer objects than this are as quickly tried one after another, where a machine has lanes.
 const FEWEST: usize = 4;
+/// The same where it has none, or by a hierarchy of spheres.
+const FEWEST_BY_ONE: usize = 100;
 /// The same where there are cones or triangles.
 const FEWEST_OTHERS: usize = 8;
 /// What testing the boxes of a pair costs, in spheres.
@@ -31,20 +33,26 @@ pub(super) struct Built<S: rta_core::Scalar> {
 #[derive(Clone, Copy)]
 struct Solid {
     bounds: Bounds,
-    center: [f64; 3],
-    cost: f64,
+    cost: f32,
     item: Item,
 }
 
+impl Solid {
+    fn center(&self) -> [f64; 3] {
+        self.bounds.center()
+    }
+}
+
 enum Tree {
-    Leaf(Bounds, Vec<Item>),
+    /// Some objects that lie side by side: the first, and how many.
+    Leaf(Bounds, usize, usize),
     Pair(Bounds, Box<[Tree; 2]>),
 }
 
 impl Tree {
     const fn bounds(&self) -> &Bounds {
         match self {
-            Self::Leaf(bounds, _) | Self::Pair(bounds, _) => bounds,
+            Self::Leaf(bounds, ..) | Self::Pair(bounds, _) => bounds,
         }
     }
 }
@@ -52,9 +60,8 @@ impl Tree {
 /// The hierarchy of a scene; none where there are few objects, or where the number format has no room for it.
 pub(super) fn build<S: Narrow>(scene: &Description) -> Built<S> {
     let none = Built { nodes: Vec::new(), items: Vec::new(), size: S::ZERO };
-    let others = scene.cones.len() + scene.triangles.len();
-    let count = scene.spheres.len() + scene.ellipsoids.len() + others;
-    if count < if others > 0 { FEWEST_OTHERS } else { FEWEST } || count > Child::MAX_ITEMS as usize {
+    let count = scene.spheres.len() + scene.ellipsoids.len() + scene.cones.len() + scene.triangles.len();
+    if (if S::LANES { count < FEWEST } else { !is_worthwhile(scene) }) || count > Child::MAX_ITEMS as usize {
         return none;
     }
     let mut solids = solids(scene);
@@ -62,20 +69,27 @@ pub(super) fn build<S: Narrow>(scene: &Description) -> Built<S> {
     if whole.largest() > S::largest() / 2.0 {
         return none;
     }
-    let tree = tree(&mut solids, 0);
+    let tree = tree(&mut solids, 0, 0);
     let mut built = Built { size: S::length(whole.largest()), ..none };
-    let depth = emit(&tree, true, &mut built);
+    let depth = emit(&tree, &solids, true, &mut built);
     if depth > MAX_DEPTH {
         built.nodes.clear();
         built.items.clear();
-        emit(&tree, false, &mut built);
+        emit(&tree, &solids, false, &mut built);
     }
     built
 }
 
+/// Whether boxes save time on a machine without lanes.
+pub(super) fn is_worthwhile(scene: &Description) -> bool {
+    let others = scene.cones.len() + scene.triangles.len();
+    let count = scene.spheres.len() + scene.ellipsoids.len() + others;
+    count >= if others > 0 { FEWEST_OTHERS } else { FEWEST_BY_ONE }
+}
+
 fn solids(scene: &Description) -> Vec<Solid> {
     let number = |i: usize| u32::try_from(i).unwrap_or(u32::MAX);
-    let solid = |bounds: Bounds, cost: f64, item: Item| Solid { center: bounds.center(), bounds, cost, item };
+    let solid = |bounds: Bounds, cost: f32, item: Item| Solid { bounds, cost, item };
     let spheres = scene
         .spheres
         .iter()
@@ -104,33 +118,33 @@ fn solids(scene: &Description) -> Vec<Solid> {
     spheres.chain(ellipsoids).chain(cones).chain(triangles).collect()
 }
 
-/// The tree over some objects, `level` pairs below the root.
-fn tree(solids: &mut [Solid], level: usize) -> Tree {
+/// The tree over some objects, which follow `before` others, `level` pairs below the root.
+fn tree(solids: &mut [Solid], before: usize, level: usize) -> Tree {
     let bounds = solids.iter().fold(Bounds::NONE, |bounds, solid| bounds.with(&solid.bounds));
-    let whole: f64 = solids.iter().map(|solid| solid.cost).sum();
+    let whole: f64 = solids.iter().map(|solid| f64::from(solid.cost)).sum();
     // Halves from here on fit into what levels are left.
     let halves = usize::BITS as usize - solids.len().leading_zeros() as usize;
     let cut = if level + halves >= MAX_PAIRS { None } else { best_cut(solids, &bounds) };
-    let leaf = |solids: &[Solid]| Tree::Leaf(bounds, solids.iter().map(|solid| solid.item).collect());
     let middle = match cut {
         Some(cut) if cut.cost + PAIR < whole || solids.len() > LEAF => {
             partition(solids, |solid| cut.is_before(solid))
         }
-        _ if solids.len() <= LEAF => return leaf(solids),
+        _ if solids.len() <= LEAF => return Tree::Leaf(bounds, before, solids.len()),
         _ => halve(solids),
     };
     // A cut that rounding has undone.
     let middle = if middle == 0 || middle == solids.len() { halve(solids) } else { middle };
     let (first, second) = solids.split_at_mut(middle);
-    Tree::Pair(bounds, Box::new([tree(first, level + 1), tree(second, level + 1)]))
+    let pair = [tree(first, before, level + 1), tree(second, before + middle, level + 1)];
+    Tree::Pair(bounds, Box::new(pair))
 }
 
 /// Puts the smaller half of the centres along the longest side first.
 fn halve(solids: &mut [Solid]) -> usize {
-    let centers = solids.iter().fold(Bounds::NONE, |b, s| b.with(&Bounds::about(s.center, [0.0; 3])));
+    let centers = solids.iter().fold(Bounds::NONE, |b, s| b.with(&Bounds::about(s.center(), [0.0; 3])));
     let axis = centers.longest();
     let middle = solids.len() / 2;
-    let along = |solid: &Solid| solid.center.get(axis).copied().unwrap_or(0.0);
+    let along = |solid: &Solid| solid.center().get(axis).copied().unwrap_or(0.0);
     solids.select_nth_unstable_by(middle, |a, b| along(a).total_cmp(&along(b)));
     middle
 }
@@ -159,7 +173,7 @@ struct Cut {
 impl Cut {
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // within the bins
     fn bin(axis: usize, low: f64, scale: f64, solid: &Solid) -> usize {
-        let c = solid.center.get(axis).copied().unwrap_or(low);
+        let c = solid.center().get(axis).copied().unwrap_or(low);
         (((c - low) * scale) as usize).min(BINS - 1)
     }
 
@@ -171,7 +185,7 @@ impl Cut {
 /// The cheapest cut between two bins of the centres, along any axis; nothing where all centres are in one place.
 #[allow(clippy::cast_precision_loss)] // sixteen
 fn best_cut(solids: &[Solid], bounds: &Bounds) -> Option<Cut> {
-    let centers = solids.iter().fold(Bounds::NONE, |b, s| b.with(&Bounds::about(s.center, [0.0; 3])));
+    let centers = solids.iter().fold(Bounds::NONE, |b, s| b.with(&Bounds::about(s.center(), [0.0; 3])));
     let surface = bounds.surface().max(f64::MIN_POSITIVE);
     let mut best: Option<Cut> = None;
     for (axis, (&low, high)) in centers.low.iter().zip(centers.high).enumerate() {
@@ -183,7 +197,7 @@ fn best_cut(solids: &[Solid], bounds: &Bounds) -> Option<Cut> {
         for solid in solids {
             if let Some((bounds, cost)) = bins.get_mut(Cut::bin(axis, low, scale, solid)) {
                 *bounds = bounds.with(&solid.bounds);
-                *cost += solid.cost;
+                *cost += f64::from(solid.cost);
             }
         }
         // The bins from each one on.
@@ -212,7 +226,7 @@ fn best_cut(solids: &[Solid], bounds: &Bounds) -> Option<Cut> {
 
 /// Writes a tree as nodes of four, preorder, and says how many levels they have. The largest of a node's children are
 /// opened until there are four; or else each of the two, once, so that a node is two levels of the tree.
-fn emit<S: Narrow>(tree: &Tree, by_size: bool, built: &mut Built<S>) -> usize {
+fn emit<S: Narrow>(tree: &Tree, solids: &[Solid], by_size: bool, built: &mut Built<S>) -> usize {
     let mut children: Vec<&Tree> = vec![tree];
     let opened = |children: &mut Vec<&Tree>, at: usize| {
         if let Some(Tree::Pair(_, pair)) = children.get(at).copied() {
@@ -250,17 +264,17 @@ fn emit<S: Narrow>(tree: &Tree, by_size: bool, built: &mut Built<S>) -> usize {
     let as_number = |index: usize| u32::try_from(index).unwrap_or(u32::MAX);
     let mut kinds = [Child::EMPTY; 4];
     for (kind, child) in kinds.iter_mut().zip(&children) {
-        if let Tree::Leaf(_, items) = child {
-            let count = as_number(items.len());
-            *kind = Child::leaf(as_number(built.items.len()), count);
-            built.items.extend(items);
+        if let Tree::Leaf(_, first, count) = child {
+            let run = solids.iter().skip(*first).take(*count);
+            *kind = Child::leaf(as_number(built.items.len()), as_number(*count));
+            built.items.extend(run.map(|solid| solid.item));
         }
     }
     let mut depth = 0;
     for (kind, child) in kinds.iter_mut().zip(&children) {
         if let Tree::Pair(..) = child {
             *kind = Child::node(as_number(built.nodes.len()));
-            depth = depth.max(emit(child, by_size, built));
+            depth = depth.max(emit(child, solids, by_size, built));
         }
     }
     if let Some(node) = built.nodes.get_mut(number) {
