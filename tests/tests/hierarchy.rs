@@ -77,7 +77,7 @@ fn medley(count: usize, spread: f64, seed: u64) -> Description {
 /// The nearest hits of random rays, from the eye, from surfaces and from far away; and how many there were.
 fn compare<S: Narrow>(scene: &Description, rays: usize, seed: u64) -> usize {
     let narrowed = narrow::<S>(scene, 1.0).expect("it fits");
-    assert!(narrowed.hierarchy.is_empty() != narrowed.boxes.is_empty(), "there are objects enough");
+    assert!(!narrowed.hierarchy.is_empty() || !narrowed.boxes.is_empty(), "there are objects enough");
     let admitted = narrowed.scene().admit(&narrowed.camera).expect("it fits");
     let (lid, mut rng, mut met) = (admitted.limits().lid, Rng::with_seed(seed), 0);
     for number in 0..rays {
