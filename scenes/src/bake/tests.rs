@@ -76,7 +76,7 @@ fn a_scene_needs_what_is_in_it_and_no_more() {
 
 #[test]
 fn the_model_decides_what_is_needed() {
-    let recipe = Recipe { model: Model::Whitted, ..Recipe::new(Format::Q20) };
+    let recipe = Recipe { model: Model::Whitted, ..Recipe::new(Format::Q16) };
     let mut scene = read(shipped::GLASS_2);
     assert_eq!(
         needs(&source(&scene, &recipe), false),
@@ -95,7 +95,7 @@ fn the_model_decides_what_is_needed() {
     // A shiny sphere alone: it reflects in Whitted's model only.
     scene.spheres.remove(0);
     assert!(needs(&source(&scene, &recipe), true).contains(&"MIRROR"));
-    assert!(!needs(&source(&scene, &Recipe::new(Format::Q20)), true).contains(&"MIRROR"));
+    assert!(!needs(&source(&scene, &Recipe::new(Format::Q16)), true).contains(&"MIRROR"));
 }
 
 #[test]
@@ -109,7 +109,7 @@ fn a_scene_out_of_range_is_an_error() {
     // Each coordinate fits, the distance between two of them does not.
     scene.spheres[1].position[0] = 30_000.0;
     scene.spheres[0].position[0] = -30_000.0;
-    let error = bake(&scene, Format::Q20).expect_err("too far apart");
+    let error = bake(&scene, Format::Q16).expect_err("too far apart");
     assert!(matches!(error, BakeError::Range(_)), "{error:?}");
     assert!(bake(&scene, Format::F64).is_ok());
 }
@@ -126,7 +126,7 @@ fn the_same_scene_is_always_the_same_source() {
 #[test]
 fn a_name_stays_in_its_comment() {
     let source =
-        module(&read(shipped::GLASS_2), "a\nstatic\r*/ \"", &Recipe::new(Format::Q20)).expect("it fits");
+        module(&read(shipped::GLASS_2), "a\nstatic\r*/ \"", &Recipe::new(Format::Q16)).expect("it fits");
     assert!(source.starts_with("// a static */ \" in q16 "));
     assert!(source.lines().nth(1).is_some_and(|line| line.starts_with("// ")));
 }

@@ -25,11 +25,12 @@ impl Bounds {
 
     /// The box of both.
     pub(super) fn with(mut self, other: &Self) -> Self {
+        // Comparisons that are one instruction, as no coordinate is anything but a number.
         for (low, other) in self.low.iter_mut().zip(other.low) {
-            *low = low.min(other);
+            *low = if other < *low { other } else { *low };
         }
         for (high, other) in self.high.iter_mut().zip(other.high) {
-            *high = high.max(other);
+            *high = if other > *high { other } else { *high };
         }
         self
     }

@@ -161,6 +161,22 @@ fn partition(solids: &mut [Solid], is_first: impl Fn(&Solid) -> bool) -> usize {
     count
 }
 
+/// Objects whose centres lie in the same part of an axis.
+#[derive(Clone, Copy)]
+struct Bin {
+    bounds: Bounds,
+    cost: f64,
+}
+
+impl Bin {
+    const EMPTY: Self = Self { bounds: Bounds::NONE, cost: 0.0 };
+
+    fn add(&mut self, bounds: &Bounds, cost: f64) {
+        self.bounds = self.bounds.with(bounds);
+        self.cost += cost;
+    }
+}
+
 /// Objects whose centres lie in a bin below `bin` go first.
 struct Cut {
     axis: usize,
@@ -171,14 +187,15 @@ struct Cut {
 }
 
 impl Cut {
+    /// The bin of a centre; of an axis along which there is no extent it is any.
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // within the bins
-    fn bin(axis: usize, low: f64, scale: f64, solid: &Solid) -> usize {
-        let c = solid.center().get(axis).copied().unwrap_or(low);
+    fn bin(c: f64, low: f64, scale: f64) -> usize {
         (((c - low) * scale) as usize).min(BINS - 1)
     }
 
     fn is_before(&self, solid: &Solid) -> bool {
-        Self::bin(self.axis, self.low, self.scale, solid) < self.bin
+        let c = solid.center().get(self.axis).copied().unwrap_or(self.low);
+        Self::bin(c, self.low, self.scale) < self.bin
     }
 }
 
@@ -186,38 +203,41 @@ impl Cut {
 #[allow(clippy::cast_precision_loss)] // sixteen
 fn best_cut(solids: &[Solid], bounds: &Bounds) -> Option<Cut> {
     let centers = solids.iter().fold(Bounds::NONE, |b, s| b.with(&Bounds::about(s.center(), [0.0; 3])));
+    let mut scales = centers.high;
+    for (scale, low) in scales.iter_mut().zip(centers.low) {
+        *scale = BINS as f64 / (*scale - low);
+    }
+    let mut bins = [[Bin::EMPTY; BINS]; 3];
+    for solid in solids {
+        let places = solid.center().into_iter().zip(centers.low).zip(scales);
+        for (bins, ((c, low), scale)) in bins.iter_mut().zip(places) {
+            if let Some(bin) = bins.get_mut(Cut::bin(c, low, scale)) {
+                bin.add(&solid.bounds, f64::from(solid.cost));
+            }
+        }
+    }
     let surface = bounds.surface().max(f64::MIN_POSITIVE);
     let mut best: Option<Cut> = None;
-    for (axis, (&low, high)) in centers.low.iter().zip(centers.high).enumerate() {
-        let scale = BINS as f64 / (high - low);
-        if !(high > low && scale.is_finite()) {
+    for (axis, ((bins, low), scale)) in bins.iter().zip(centers.low).zip(scales).enumerate() {
+        if !scale.is_finite() {
             continue;
-        }
-        let mut bins = [(Bounds::NONE, 0.0); BINS];
-        for solid in solids {
-            if let Some((bounds, cost)) = bins.get_mut(Cut::bin(axis, low, scale, solid)) {
-                *bounds = bounds.with(&solid.bounds);
-                *cost += f64::from(solid.cost);
-            }
         }
         // The bins from each one on.
         let mut behind = [(0.0, 0.0); BINS];
-        let (mut bounds, mut cost) = (Bounds::NONE, 0.0);
-        for (behind, bin) in behind.iter_mut().zip(&bins).rev() {
-            bounds = bounds.with(&bin.0);
-            cost += bin.1;
-            *behind = (if cost > 0.0 { bounds.surface() } else { 0.0 }, cost);
+        let mut gathered = Bin::EMPTY;
+        for (behind, bin) in behind.iter_mut().zip(bins).rev() {
+            gathered.add(&bin.bounds, bin.cost);
+            *behind = (gathered.bounds.surface(), gathered.cost);
         }
-        let (mut bounds, mut cost) = (Bounds::NONE, 0.0);
+        let mut gathered = Bin::EMPTY;
         for (bin, (before, after)) in (1..BINS).zip(bins.iter().zip(behind.iter().skip(1))) {
-            bounds = bounds.with(&before.0);
-            cost += before.1;
-            if cost == 0.0 || after.1 == 0.0 {
+            gathered.add(&before.bounds, before.cost);
+            if gathered.cost == 0.0 || after.1 == 0.0 {
                 continue;
             }
-            let total = (bounds.surface() * cost + after.0 * after.1) / surface;
-            if best.as_ref().is_none_or(|best| total < best.cost) {
-                best = Some(Cut { axis, bin, low, scale, cost: total });
+            let cost = (gathered.bounds.surface() * gathered.cost + after.0 * after.1) / surface;
+            if best.as_ref().is_none_or(|best| cost < best.cost) {
+                best = Some(Cut { axis, bin, low, scale, cost });
             }
         }
     }
