@@ -1,6 +1,6 @@
 //! Fixed point draws the same bytes: in debug and in release, by any number of threads, in any order of rows.
 
-use rta_core::illumination::Rta;
+use rta_core::illumination::{Phong, Rta};
 use rta_core::needs::Everything;
 use rta_tests::exact::{Bits, DEPTH, Exact, hash, shipped_scene};
 
@@ -18,6 +18,22 @@ fn every_build_draws_the_same_bytes() {
         (name, hash(&picture.expect("it is drawn")))
     });
     assert!(got == HASHES, "got {got:#x?}, want {HASHES:#x?}");
+}
+
+/// The same of scenes in NFF with its own model: boxes, cones, triangles, highlights by powers.
+const NFF_HASHES: [(&str, u64); 2] =
+    [("scenes/solids.nff", 0x6b0c_7e70_5274_3063), ("../scenes/balls2.nff", 0x11fa_4244_7784_e4fa)];
+
+#[test]
+fn every_build_draws_the_same_bytes_of_nff() {
+    let got = NFF_HASHES.map(|(file, _)| {
+        let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join(file);
+        let text = std::fs::read(path).expect("a scene file");
+        let scene = rta_scenes::read(&text, file).expect("a scene");
+        let picture = Exact::new(&scene, 320, 200).picture::<_, Everything>(Phong::default(), DEPTH);
+        (file, hash(&picture.expect("it is drawn")))
+    });
+    assert!(got == NFF_HASHES, "got {got:#x?}, want {NFF_HASHES:#x?}");
 }
 
 #[test]
