@@ -202,7 +202,7 @@ fn report(rows: &[Row], args: &BenchArgs) -> String {
     let mut head = vec!["scene", "format", "raster", "objects", "CPU ms"];
     head.extend(["primary", "reflected", "transmitted", "shadow", "ns a ray", "instructions a ray"]);
     if args.peer.is_some() {
-        head.extend(["povray ms", "its rays (no shadow)", "povray : rta"]);
+        head.extend(["povray ms", "its rays", "povray : rta"]);
     }
     let cells: Vec<_> = rows.iter().map(|row| row.cells(args)).collect();
     let mut text = table::markdown(&head, &cells, 3);

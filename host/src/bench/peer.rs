@@ -43,7 +43,8 @@ pub enum PeerError {
 pub struct Statistics {
     /// CPU time of tracing, without parsing and building.
     pub time: Duration,
-    /// Rays but for those to lamps.
+    /// Rays of all kinds, as it counts them: also those that it does not trace for being too deep, and of those to lamps
+    /// one more for each glass on the way.
     pub rays: u64,
 }
 
@@ -98,9 +99,12 @@ fn last_words(said: &str) -> String {
 
 /// Reads the statistics at the end of a rendering.
 fn statistics(said: &str) -> Option<Statistics> {
-    let mut lines = said.lines().map(str::trim).skip_while(|line| !line.starts_with("Rays:"));
-    let rays = lines.next()?.split_whitespace().nth(1)?.parse().ok()?;
-    let after = lines.skip_while(|line| !line.starts_with("Trace Time:")).nth(1)?;
+    let lines = said.lines().map(str::trim);
+    let after_word = |word| lines.clone().find_map(|line| line.strip_prefix(word)?.split_whitespace().next());
+    // Without lamps it says nothing of rays to them.
+    let shadow: u64 = after_word("Shadow Ray Tests:").unwrap_or("0").parse().ok()?;
+    let rays = after_word("Rays:")?.parse::<u64>().ok()? + shadow;
+    let after = lines.clone().skip_while(|line| !line.starts_with("Trace Time:")).nth(1)?;
     let (seconds, _) = after.strip_prefix("using 1 thread(s) with ")?.split_once(" CPU-seconds")?;
     let time = Duration::try_from_secs_f64(seconds.parse().ok()?).ok()?;
     Some(Statistics { time, rays })
@@ -117,6 +121,7 @@ mod tests {
               using 1 thread(s) with 0.400 CPU-seconds total
 Pixels:            64000   Samples:               0   Smpls/Pxl: 0.00
 Rays:              75156   Saved:                 0   Max Level: 2/6
+Shadow Ray Tests:             40968   Succeeded:                  3267
   Trace Time:       0 hours  0 minutes  0 seconds (0.066 seconds)
               using 1 thread(s) with 0.047 CPU-seconds total
 POV-Ray finished
@@ -124,7 +129,10 @@ POV-Ray finished
 
     #[test]
     fn the_time_of_tracing_is_read() {
-        assert_eq!(statistics(SAID), Some(Statistics { time: Duration::from_millis(47), rays: 75_156 }));
+        let time = Duration::from_millis(47);
+        assert_eq!(statistics(SAID), Some(Statistics { time, rays: 75_156 + 40_968 }));
+        let unlit = SAID.replace("Shadow Ray Tests", "Nothing");
+        assert_eq!(statistics(&unlit), Some(Statistics { time, rays: 75_156 }));
         assert_eq!(statistics(&SAID.replace("using 1", "using 2")), None);
         assert_eq!(statistics(&SAID.replace("Trace Time", "Time")), None);
         assert_eq!(statistics(""), None);
