@@ -1,7 +1,10 @@
 //! The command line.
 
+mod bench;
+
 use std::path::PathBuf;
 
+pub use bench::{BenchArgs, Peer, TracedArgs};
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
@@ -92,6 +95,15 @@ pub enum Command {
     /// report.md, which names the cheapest setting for each error, report.csv with everything, and for each scene
     /// a work-precision diagram in SVG and PNG.
     Report(ReportArgs),
+    /// Measure how long pictures take on one core
+    ///
+    /// Each is traced several times by one thread, by the same code as a picture file without a device, and the least
+    /// CPU time counts. Rays are counted apart, by kind, and so are retired instructions (where valgrind is installed).
+    /// Of random spheres the table is followed by how the time of a ray grows with their number.
+    Bench(BenchArgs),
+    /// What `rta bench` runs under valgrind.
+    #[command(hide = true)]
+    Traced(TracedArgs),
     /// What `rta report` runs under valgrind.
     #[command(hide = true)]
     Instructions(InstructionsArgs),

@@ -15,6 +15,7 @@ use rta_scenes::description::{self, Description};
 use rta_scenes::narrow::{Narrow, NarrowError, Narrowed, narrow};
 
 use crate::sampling::Cutoff;
+use crate::tally::{Rays, Tally};
 
 /// The number format that a picture is computed in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, clap::ValueEnum)]
@@ -133,7 +134,10 @@ pub struct Engine {
 trait Rows: Send + Sync {
     fn linear(&self, first: u32, out: &mut [Rgb<f32>]);
     fn levels(&self, first: u32, gun_max: u8, out: &mut [Rgb<u8>]);
+    fn rays(&self) -> Rays;
 }
+
+type Traced<'a, S, M> = Tracer<'a, S, M, Everything, { MAX_DEPTH as usize }>;
 
 struct Picture<S: Narrow, M> {
     scene: Narrowed<S>,
@@ -146,16 +150,22 @@ struct Picture<S: Narrow, M> {
 }
 
 impl<S: Narrow, M: Illumination<S> + Copy> Picture<S, M> {
-    fn tracer(&self) -> Result<Tracer<'_, S, M, Everything, { MAX_DEPTH as usize }>, Error> {
+    fn tracer<I: Illumination<S>>(&self, model: I) -> Result<Traced<'_, S, I>, Error> {
         let cutoff = S::Unit::ratio(self.cutoff.numerator(), self.cutoff.denominator());
         // Proved once, when the picture was made ready.
         let admitted = Admitted::baked(self.scene.scene(), self.limits);
-        Ok(Tracer::new(admitted, self.model, self.depth)?.with_cutoff(cutoff))
+        Ok(Tracer::new(admitted, model, self.depth)?.with_cutoff(cutoff))
     }
 
     /// The pixels from row `first` on; `new` has made sure that there is a tracer.
-    fn each<T>(&self, first: u32, out: &mut [T], convert: impl Fn(Rgb<S::Light>) -> T) {
-        let Ok(tracer) = self.tracer() else { return };
+    fn each<T, I: Illumination<S>>(
+        &self,
+        model: I,
+        first: u32,
+        out: &mut [T],
+        convert: impl Fn(Rgb<S::Light>) -> T,
+    ) {
+        let Ok(tracer) = self.tracer(model) else { return };
         let (camera, raster, end) = (&self.scene.camera, self.raster, self.raster.height());
         let fill = |(pixel, light): (&mut T, _)| *pixel = convert(light);
         if self.sampling == Sampling::CENTER {
@@ -169,11 +179,18 @@ impl<S: Narrow, M: Illumination<S> + Copy> Picture<S, M> {
 
 impl<S: Narrow, M: Illumination<S> + Copy> Rows for Picture<S, M> {
     fn linear(&self, first: u32, out: &mut [Rgb<f32>]) {
-        self.each(first, out, |light| light.map(S::widen));
+        self.each(self.model, first, out, |light| light.map(S::widen));
     }
 
     fn levels(&self, first: u32, gun_max: u8, out: &mut [Rgb<u8>]) {
-        self.each(first, out, |light| light.levels(gun_max));
+        self.each(self.model, first, out, |light| light.levels(gun_max));
+    }
+
+    fn rays(&self) -> Rays {
+        let tally = Tally::default();
+        let mut dark = vec![(); (self.raster.width() * self.raster.height()) as usize];
+        self.each(tally.model(self.model), 0, &mut dark, |_| ());
+        tally.rays()
     }
 }
 
@@ -206,6 +223,11 @@ impl Engine {
     pub fn level_rows(&self, first: u32, gun_max: u8, out: &mut [Rgb<u8>]) {
         self.rows.levels(first, gun_max, out);
     }
+
+    /// The rays that the whole picture takes. It is traced for that, by a model that counts them.
+    pub fn rays(&self) -> Rays {
+        self.rows.rays()
+    }
 }
 
 fn modelled<S: Narrow>(scene: &Description, settings: &Settings) -> Result<Box<dyn Rows>, EngineError> {
@@ -226,6 +248,6 @@ fn picture<S: Narrow, M: Illumination<S> + Copy + 'static>(
     let scene = narrow::<S>(scene, aspect)?;
     let limits = scene.scene().admit(&scene.camera).map_err(Error::from)?.limits();
     let picture = Picture { scene, limits, model, depth, cutoff, sampling, raster };
-    picture.tracer()?;
+    picture.tracer(model)?;
     Ok(Box::new(picture))
 }

@@ -107,6 +107,12 @@ pub enum Error {
     /// The emulated device refuses what the program does with it.
     #[error("the display: {0}")]
     Display(Box<dyn core::error::Error + Send + Sync>),
+    /// The program has no scene of its own by this name.
+    #[error("there is no scene {0} in the program")]
+    NoScene(String),
+    /// What a bench needs besides the program is not there, or says no.
+    #[error("{0}")]
+    Bench(Box<dyn core::error::Error + Send + Sync>),
     /// The report cannot be put together.
     #[error("the report: {0}")]
     Report(Box<dyn core::error::Error + Send + Sync>),
@@ -128,6 +134,11 @@ impl Error {
     /// An error of a driver.
     pub(crate) fn display(source: impl core::error::Error + Send + Sync + 'static) -> Self {
         Self::Display(Box::new(source))
+    }
+
+    /// An error of a part of a bench.
+    pub(crate) fn bench(source: impl core::error::Error + Send + Sync + 'static) -> Self {
+        Self::Bench(Box::new(source))
     }
 
     /// An error of a part of a report.

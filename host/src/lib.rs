@@ -11,6 +11,7 @@
 //! | the emulated device with its colour table, and what is read back from it | [`device`], [`screen`] |
 //! | a picture file, complete or not there at all | [`picture`], [`output`] |
 //! | the commands | [`check`]; [`render`] into a file; [`show`], [`frame`] and [`window`] |
+//! | what it costs | [`mod@bench`]; instructions by [`callgrind`] |
 //!
 //! Light is linear all the way and no gamma is applied anywhere: 1 is the brightest level of a gun, which is 255
 //! in a picture file with 8 bits a register.
@@ -19,6 +20,8 @@
 pub mod args;
 pub mod bake;
 pub mod bands;
+pub mod bench;
+pub mod callgrind;
 pub mod check;
 pub mod device;
 pub mod engine;
@@ -41,6 +44,7 @@ pub mod scene;
 pub mod screen;
 pub mod show;
 pub mod stability;
+pub mod tally;
 pub mod window;
 
 /// The code of the README, compiled and run with the other examples.

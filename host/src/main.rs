@@ -7,7 +7,7 @@ use std::process::ExitCode;
 use clap::Parser;
 use rta::args::{Cli, Command, ShowArgs};
 use rta::error::Error;
-use rta::{bake, check, explain, hash, interrupt, render, report, stability, window};
+use rta::{bake, bench, check, explain, hash, interrupt, render, report, stability, window};
 
 /// Status after any error.
 const FAILED: u8 = 2;
@@ -31,6 +31,8 @@ fn main() -> ExitCode {
         Some(Command::Render(args)) => render::run(&args),
         Some(Command::Report(args)) => report::run(&args),
         Some(Command::Instructions(args)) => report::instructions::run(&args),
+        Some(Command::Bench(args)) => bench::run(&args),
+        Some(Command::Traced(args)) => bench::child::run(&args),
         Some(Command::Stability(args)) => stability::run(&args),
         Some(Command::Check(args)) => check::run(&args),
         Some(Command::Bake(args)) => bake::run(&args),

@@ -72,6 +72,17 @@ impl Scene {
         shipped::ALL.into_iter().map(scene).collect()
     }
 
+    /// The scene that the program carries in itself by this name, the thesis's or another.
+    ///
+    /// # Errors
+    /// [`Error::Scene`] if it is not as the format has it.
+    pub fn named(title: &str) -> Option<Result<Self, Error>> {
+        let all = shipped::ALL.into_iter().chain([("balls2.nff", shipped::BALLS_2)]);
+        let stem = |name: &str| name.split('.').next() == Some(title);
+        let (name, text) = all.into_iter().find(|(name, _)| stem(name))?;
+        Some(Self::parse(name, title, text.as_bytes()))
+    }
+
     fn parse(source: &str, title: &str, text: &[u8]) -> Result<Self, Error> {
         let description = rta_scenes::read(text, source)?;
         // A title goes into window titles and file names: what is not plain there is left out.

@@ -6,6 +6,8 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 
+#[path = "cli/bench.rs"]
+mod bench;
 #[path = "cli/firmware.rs"]
 mod firmware;
 #[path = "cli/nff.rs"]

@@ -16,9 +16,10 @@ use rta_scenes::description::Description;
 use rta_scenes::narrow::{Narrow, Narrowed, narrow};
 
 use super::setting::{DEPTHS, LIMITS, Limit, REFERENCE_DEPTH};
-use super::tap::{self, Rays, Tap};
+use super::tap::{self, Tap};
 use crate::engine::{EngineError, Format, MAX_DEPTH};
 use crate::sampling::Cutoff;
+use crate::tally::Rays;
 
 /// Linear light of pixels, each register from 0 to 1.
 pub type Picture = Vec<Rgb<f32>>;

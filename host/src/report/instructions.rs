@@ -1,15 +1,8 @@
-//! Retired instructions, counted by callgrind.
-//!
-//! The program runs itself under valgrind: the child traces the setting after setting in a fixed order, counting only
-//! inside the one function that traces pixels, and callgrind writes its counter down each time that function returns.
-//! Counts are of the machine's own instructions and do not depend on its load, its clock or its caches.
+//! Retired instructions of every setting, counted by [`callgrind`]: the child traces setting after setting in a fixed
+//! order.
 
-use core::sync::atomic::{AtomicBool, Ordering};
-use core::time::Duration;
-use std::fs;
-use std::io::{self, Write};
+use core::sync::atomic::AtomicBool;
 use std::path::Path;
-use std::process::{Child, Command, Stdio};
 
 use rta_core::raster::Raster;
 use rta_core::sampling::Sampling;
@@ -17,6 +10,7 @@ use rta_core::sampling::Sampling;
 use super::bench::{Lattice, bench};
 use super::setting::{Limit, Method, samplings};
 use crate::args::InstructionsArgs;
+use crate::callgrind::{self, CountError};
 use crate::engine::EngineError;
 use crate::error::Error;
 use crate::fit::Hint;
@@ -62,29 +56,6 @@ pub fn run(args: &InstructionsArgs) -> Result<(), Error> {
     Ok(())
 }
 
-/// Why there are no counts.
-#[derive(Debug, thiserror::Error)]
-#[non_exhaustive]
-pub enum CountError {
-    /// Valgrind cannot be started.
-    #[error("valgrind cannot be started: {0}")]
-    Valgrind(io::Error),
-    /// It ended with an error.
-    #[error("the program failed under valgrind: {0}")]
-    Failed(String),
-    /// Its files could not be read or written.
-    #[error("callgrind's files: {0}")]
-    Files(#[from] io::Error),
-    /// The function that is counted is not in the symbol table, or was not called as often as it should.
-    #[error("callgrind counted {found} settings of {expected}")]
-    Incomplete {
-        /// Counts in its files.
-        found: usize,
-        /// Settings.
-        expected: usize,
-    },
-}
-
 /// Counts the instructions of all settings in [`order`] for the scene file `text`; `program` is this program.
 /// Interrupted, it returns what can be had.
 ///
@@ -96,67 +67,14 @@ pub fn count(
     (size, aspect): (&str, &str),
     stop: &AtomicBool,
 ) -> Result<Vec<u64>, CountError> {
-    let folder = tempfile::tempdir()?;
-    let mut command = Command::new("valgrind");
-    command
-        .args(["--quiet", "--tool=callgrind", "--dump-instr=no", "--dump-line=no", "--compress-strings=yes"])
-        .args(COUNTED.map(|function| format!("--toggle-collect={function}")))
-        .args(COUNTED.map(|function| format!("--dump-after={function}")))
-        .arg(format!("--callgrind-out-file={}", folder.path().join("count").display()))
-        .arg(program)
-        .args(["instructions", "--size", size, "--aspect", aspect])
-        .stdin(Stdio::piped())
-        .stdout(Stdio::null())
-        .stderr(Stdio::piped());
-    let mut child = command.spawn().map_err(CountError::Valgrind)?;
-    if let Some(mut input) = child.stdin.take() {
-        // A child that does not read to the end says why itself.
-        let _ = input.write_all(text);
-    }
-    wait(&mut child, stop)?;
-    let output = child.wait_with_output()?;
-    if !output.status.success() {
-        return Err(CountError::Failed(String::from_utf8_lossy(&output.stderr).trim().to_owned()));
-    }
-    let expected = order().count();
-    let read = |number: usize| fs::read_to_string(folder.path().join(format!("count.{number}")));
-    let counts: Vec<_> = (1..=expected).map_while(|number| total(&read(number).ok()?)).collect();
-    if counts.len() != expected || counts.contains(&0) {
-        return Err(CountError::Incomplete { found: counts.len(), expected });
-    }
-    Ok(counts)
-}
-
-/// Waits for the end, or ends it.
-fn wait(child: &mut Child, stop: &AtomicBool) -> io::Result<()> {
-    while child.try_wait()?.is_none() {
-        if stop.load(Ordering::Relaxed) {
-            return child.kill();
-        }
-        std::thread::sleep(Duration::from_millis(50));
-    }
-    Ok(())
-}
-
-/// The counter in one of callgrind's files.
-fn total(text: &str) -> Option<u64> {
-    let line = text.lines().rev().find_map(|line| line.strip_prefix("totals:"))?;
-    line.trim().parse().ok()
+    let args = ["instructions", "--size", size, "--aspect", aspect];
+    callgrind::count(program, &args, text, &COUNTED, order().count(), stop)
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{counted, order, total};
+    use super::{counted, order};
     use crate::report::setting::samplings;
-
-    #[test]
-    fn totals_are_read_from_callgrinds_files() {
-        let file = "# callgrind format\nversion: 1\ndesc: Trigger: --dump-after=x\nevents: Ir\nsummary: 12\n\n\
-            fn=(1) x\n0 12\n\ntotals: 4567\n";
-        assert_eq!(total(file), Some(4567));
-        assert_eq!(total("version: 1\n"), None);
-        assert_eq!(total("totals: many\n"), None);
-    }
 
     #[test]
     fn few_samples_stand_for_many_of_their_kind() {

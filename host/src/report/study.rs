@@ -11,10 +11,11 @@ use rta_core::sampling::Sampling;
 
 use super::Source;
 use super::bench::{Bench, Lattice, Picture, Pictures, bench};
-use super::instructions::{self, CountError};
+use super::instructions;
 use super::measure::{Difference, median};
 use super::setting::{LIMITS, Limit, Method, reference_sampling, samplings};
-use super::tap::Rays;
+
+use crate::callgrind::CountError;
 use crate::device::Device;
 use crate::engine::{EngineError, Format};
 use crate::error::Error;
@@ -23,6 +24,7 @@ use crate::picture::Pixels;
 use crate::progress::Progress;
 use crate::raster::Size;
 use crate::screen::{Screen, TableKind};
+use crate::tally::Rays;
 
 /// The devices whose display error is measured.
 pub const DEVICES: [Device; 3] = [Device::Vga, Device::Graphigs, Device::Pixrect];

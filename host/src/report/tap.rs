@@ -15,19 +15,7 @@ use rta_core::needs::Needs;
 use rta_core::scalar::{Light, Scalar, Unit};
 
 use super::setting::{CUTOFFS, DEPTHS, LIMITS};
-
-/// Rays by kind: primary, reflected, transmitted, shadow.
-pub type Rays = [u64; 4];
-
-/// Where in [`Rays`] a kind is counted.
-const fn place(kind: RayKind) -> usize {
-    match kind {
-        RayKind::Primary => 0,
-        RayKind::Reflected => 1,
-        RayKind::Transmitted => 2,
-        RayKind::Shadow => 3,
-    }
-}
+use crate::tally::{self, Rays};
 
 /// What one ray of the tree brought into the pixel, and what it took.
 #[derive(Clone, Copy, Debug)]
@@ -172,7 +160,7 @@ impl<S: Scalar, M: Illumination<S>> Illumination<S> for Tap<M> {
 
     fn note(&self, kind: RayKind) {
         recording(|recording: &mut Recording<S::Light>| {
-            if let Some(rays) = recording.rays.get_mut(place(kind)) {
+            if let Some(rays) = recording.rays.get_mut(tally::place(kind)) {
                 *rays += 1;
             }
         });

@@ -1,0 +1,120 @@
+//! Retired instructions, counted by callgrind.
+//!
+//! The program runs itself under valgrind: the child does one piece of work after the other in a fixed order, counting
+//! only inside the one function that does it, and callgrind writes its counter down each time that function returns.
+//! Counts are of the machine's own instructions and do not depend on its load, its clock or its caches.
+
+use core::sync::atomic::{AtomicBool, Ordering};
+use core::time::Duration;
+use std::fs;
+use std::io::{self, Write};
+use std::path::Path;
+use std::process::{Child, Command, Stdio};
+
+/// Why there are no counts.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum CountError {
+    /// Valgrind cannot be started.
+    #[error("valgrind cannot be started: {0}")]
+    Valgrind(io::Error),
+    /// It ended with an error.
+    #[error("the program failed under valgrind: {0}")]
+    Failed(String),
+    /// Its files could not be read or written.
+    #[error("callgrind's files: {0}")]
+    Files(#[from] io::Error),
+    /// The function that is counted is not in the symbol table, or was not called as often as it should.
+    #[error("callgrind counted {found} calls of {expected}")]
+    Incomplete {
+        /// Counts in its files.
+        found: usize,
+        /// Calls that there should be.
+        expected: usize,
+    },
+}
+
+/// Whether valgrind is installed.
+#[must_use]
+pub fn is_installed() -> bool {
+    Command::new("valgrind")
+        .arg("--version")
+        .stdout(Stdio::null())
+        .stderr(Stdio::null())
+        .status()
+        .is_ok_and(|status| status.success())
+}
+
+/// Counts the instructions of each call of `functions` (as callgrind is told them) in `program`, which is run with `args`
+/// and `input` on its standard input, and makes `expected` such calls. Interrupted, it returns what can be had.
+///
+/// # Errors
+/// All of [`CountError`].
+pub fn count(
+    program: &Path,
+    args: &[&str],
+    input: &[u8],
+    functions: &[&str],
+    expected: usize,
+    stop: &AtomicBool,
+) -> Result<Vec<u64>, CountError> {
+    let folder = tempfile::tempdir()?;
+    let mut command = Command::new("valgrind");
+    command
+        .args(["--quiet", "--tool=callgrind", "--dump-instr=no", "--dump-line=no", "--compress-strings=yes"])
+        .args(functions.iter().map(|function| format!("--toggle-collect={function}")))
+        .args(functions.iter().map(|function| format!("--dump-after={function}")))
+        .arg(format!("--callgrind-out-file={}", folder.path().join("count").display()))
+        .arg(program)
+        .args(args)
+        .stdin(Stdio::piped())
+        .stdout(Stdio::null())
+        .stderr(Stdio::piped());
+    let mut child = command.spawn().map_err(CountError::Valgrind)?;
+    if let Some(mut pipe) = child.stdin.take() {
+        // A child that does not read to the end says why itself.
+        let _ = pipe.write_all(input);
+    }
+    wait(&mut child, stop)?;
+    let output = child.wait_with_output()?;
+    if !output.status.success() {
+        return Err(CountError::Failed(String::from_utf8_lossy(&output.stderr).trim().to_owned()));
+    }
+    let read = |number: usize| fs::read_to_string(folder.path().join(format!("count.{number}")));
+    let counts: Vec<_> = (1..=expected).map_while(|number| total(&read(number).ok()?)).collect();
+    if counts.len() != expected || counts.contains(&0) {
+        return Err(CountError::Incomplete { found: counts.len(), expected });
+    }
+    Ok(counts)
+}
+
+/// Waits for the end, or ends it.
+fn wait(child: &mut Child, stop: &AtomicBool) -> io::Result<()> {
+    while child.try_wait()?.is_none() {
+        if stop.load(Ordering::Relaxed) {
+            return child.kill();
+        }
+        std::thread::sleep(Duration::from_millis(50));
+    }
+    Ok(())
+}
+
+/// The counter in one of callgrind's files.
+fn total(text: &str) -> Option<u64> {
+    let line = text.lines().rev().find_map(|line| line.strip_prefix("totals:"))?;
+    line.trim().parse().ok()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::total;
+
+    #[test]
+    fn totals_are_read_from_callgrinds_files() {
+        let file = "# callgrind format\nversion: 1\ndesc: Trigger: --dump-after=x\nevents: Ir\nsummary: 12\n\n\
+            fn=(1) x\n0 12\n\ntotals: 4567\n";
+        assert_eq!(total(file), Some(4567));
+        assert_eq!(total("version: 1\n"), None);
+        assert_eq!(total("totals: many\n"), None);
+    }
+}

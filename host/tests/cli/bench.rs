@@ -1,0 +1,140 @@
+//! `rta bench` from outside, instructions included where valgrind is installed.
+
+use std::fs;
+use std::process::{Command, Stdio};
+
+use super::Folder;
+
+/// The cells of a table's rows below its head, by the names in the head.
+fn rows(text: &str) -> Vec<Vec<(String, String)>> {
+    let cells = |line: &str| -> Vec<String> {
+        line.trim_matches('|').split('|').map(|cell| cell.trim().to_owned()).collect()
+    };
+    let mut lines = text.lines().take_while(|line| line.starts_with('|'));
+    let head = cells(lines.next().expect("a head"));
+    assert!(lines.next().expect("a rule").starts_with("| --"));
+    let named = |line| head.iter().cloned().zip(cells(line)).collect();
+    lines.map(named).collect()
+}
+
+fn cell<'a>(row: &'a [(String, String)], name: &str) -> &'a str {
+    let cell = row.iter().find(|(head, _)| head == name);
+    &cell.unwrap_or_else(|| panic!("no {name} in {row:?}")).1
+}
+
+fn is_installed(program: &str) -> bool {
+    let asked = Command::new(program).arg("--version").stdout(Stdio::null()).stderr(Stdio::null()).status();
+    asked.is_ok_and(|status| status.success())
+}
+
+#[test]
+fn a_tiny_picture_is_a_row_with_its_rays() {
+    let folder = Folder::new();
+    let tiny = ["bench", "scene.dat", "--size", "8x5", "--runs", "2", "--scaling", "--no-instructions"];
+    let text = folder.prints(&tiny);
+    let rows = rows(&text);
+    let [row] = rows.as_slice() else { panic!("{text}") };
+    for (name, value) in [
+        ("scene", "scene"),
+        ("format", "f32"),
+        ("raster", "8x5"),
+        ("objects", "4"),
+        ("primary", "40"),
+        ("instructions a ray", "-"),
+    ] {
+        assert_eq!(cell(row, name), value, "{name} in {text}");
+    }
+    for name in ["reflected", "shadow", "ns a ray"] {
+        assert!(cell(row, name).parse::<u64>().unwrap() > 0, "{name} in {text}");
+    }
+    assert!(text.contains("| ms with 2 threads |") && !text.contains("Random spheres"), "{text}");
+    // Fewer rays at less depth; the instructions of another run are the same.
+    let flat = folder.prints(&["bench", "scene.dat", "--size", "8x5", "--depth", "0", "--format", "q16"]);
+    let again = folder.prints(&["bench", "scene.dat", "--size", "8x5", "--depth", "0", "--format", "q16"]);
+    let [flat, again] = [&flat, &again].map(|text| self::rows(text));
+    assert_eq!((cell(&flat[0], "format"), cell(&flat[0], "reflected")), ("q16", "0"));
+    let counted = cell(&flat[0], "instructions a ray");
+    assert_eq!(counted, cell(&again[0], "instructions a ray"));
+    if is_installed("valgrind") {
+        assert!(counted.parse::<u64>().unwrap() > 100, "{counted}");
+    }
+}
+
+#[test]
+fn what_cannot_be_measured_is_said() {
+    let folder = Folder::new();
+    folder.refuses(&["bench", "none.dat"], &["none.dat", "No such file"]);
+    folder.scene("bad.dat", "0 -10");
+    folder.refuses(&["bench", "scene.dat", "bad.dat", "--size", "2x2", "--runs", "1"], &["bad.dat"]);
+    folder.refuses(&["bench", "--check", "none.csv"], &["cannot read none.csv"]);
+    folder.scene("bad.csv", "scene,format\n");
+    folder.refuses(&["bench", "--check", "bad.csv"], &["bad.csv", "names no compiler"]);
+    for usage in [
+        ["bench", "scene.dat", "--record", "x.csv"],
+        ["bench", "--record", "x.csv", "--check"],
+        ["bench", "scene.dat", "--runs", "0"],
+        ["bench", "scene.dat", "--peer", "nobody"],
+        ["bench", "--scaling", "--check", "x.csv"],
+    ] {
+        let ended = folder.rta(&usage);
+        assert!(ended.status.code() == Some(2) && ended.stdout.is_empty(), "{usage:?}");
+    }
+    assert!(!folder.names().contains(&"x.csv".to_owned()));
+}
+
+#[test]
+fn a_peer_that_is_not_there_is_an_error() {
+    let folder = Folder::new();
+    let asked =
+        ["bench", "scene.dat", "--size", "8x5", "--runs", "1", "--no-instructions", "--peer", "povray"];
+    let ended = folder.command(&asked).env("PATH", "/nowhere").output().unwrap();
+    let said = String::from_utf8(ended.stderr).unwrap();
+    assert!(ended.status.code() == Some(2) && said.contains("povray cannot be started"), "{said}");
+    if is_installed("povray") {
+        let text = folder.prints(&asked);
+        let rows = rows(&text);
+        // As many of the eye's rays at least.
+        assert!(cell(&rows[0], "its rays").parse::<u64>().unwrap() >= 40, "{text}");
+    }
+}
+
+#[test]
+fn instructions_are_recorded_and_checked() {
+    let folder = Folder::new();
+    let check = ["bench", "--check", "now.csv", "--size", "8x5"];
+    if !is_installed("valgrind") {
+        folder.refuses(&["bench", "--record", "now.csv", "--size", "8x5"], &["valgrind cannot be started"]);
+        return;
+    }
+    folder.prints(&["bench", "--record", "now.csv", "--size", "8x5"]);
+    let recorded = fs::read_to_string(folder.path("now.csv")).unwrap();
+    assert_eq!(recorded.lines().count(), 2 + 4 * 2, "{recorded}");
+    assert!(folder.prints(&check).starts_with("no picture takes over 5 % more"));
+    // A tenth less was recorded in one row: now it is dearer. A tenth more: now it is cheaper.
+    let scaled = |part: u64| {
+        let line = recorded.lines().find(|line| line.starts_with("hall-22,q16,")).unwrap();
+        let mut cells: Vec<_> = line.split(',').map(str::to_owned).collect();
+        cells[3] = (cells[3].parse::<u64>().unwrap() * part / 10).to_string();
+        folder.scene("now.csv", recorded.replace(line, &cells.join(",")));
+    };
+    scaled(9);
+    folder.refuses(&check, &["by over 5 %", "  hall-22 q16: "]);
+    scaled(11);
+    let cheaper = folder.prints(&check);
+    assert!(cheaper.contains("fewer instructions") && cheaper.contains("  hall-22 q16: "), "{cheaper}");
+    // Another compiler's counts say nothing.
+    scaled(1);
+    let other = fs::read_to_string(folder.path("now.csv")).unwrap().replace("rustc 1.", "rustc 0.");
+    folder.scene("now.csv", other);
+    assert!(folder.prints(&check).starts_with("not compared: now.csv is of rustc 0."));
+    // Without valgrind it is skipped, except where that would go unnoticed.
+    folder.scene("now.csv", &recorded);
+    let alone = || {
+        let mut command = folder.command(&check);
+        command.env("PATH", "/nowhere").env_remove("CI");
+        command
+    };
+    let skipped = alone().output().unwrap();
+    assert!(skipped.status.success() && skipped.stdout.starts_with(b"skipped"), "{skipped:?}");
+    assert_eq!(alone().env("CI", "true").output().unwrap().status.code(), Some(2));
+}
