@@ -1,15 +1,17 @@
 //! Builds the boards' images, boots them under emulation and compares what they draw with the engine, byte for byte.
 
+use core::sync::atomic::{AtomicUsize, Ordering};
+use std::collections::BTreeMap;
 use std::fs;
+use std::panic::resume_unwind;
 use std::path::PathBuf;
 use std::process::{Command, ExitCode, Stdio};
-use std::sync::Mutex;
 use std::time::Instant;
 
 use clap::Parser;
 use rta::engine::Format;
 use rta_core::color::Rgb;
-use rta_tests::boards::board::{ALL, Board, Output, Picture};
+use rta_tests::boards::board::{ALL, Board, Output, Picture, TARGET_FOLDERS};
 use rta_tests::boards::expected::{self, Indexed};
 use rta_tests::boards::footprint::{self, Footprint};
 use rta_tests::boards::machine::{self, Outcome, Screendump};
@@ -24,7 +26,8 @@ use rta_tests::boards::{Failure, elf, folder};
 struct Args {
     /// Boards [default: all]
     boards: Vec<String>,
-    /// Draws less: every scene in q16 and the Juggler in f32, and one program for any scene on two boards
+    /// Draws less: opaque and glass-2 in q16 and the Juggler in f32, on two boards every scene in q16, and on two one
+    /// program for any scene
     #[arg(long)]
     brief: bool,
     /// Writes tests/boards/FOOTPRINT.md anew instead of comparing with it
@@ -82,7 +85,7 @@ fn run(args: &Args) -> Result<bool, Failure> {
     }
     let version = jobs.first().map_or(Ok(String::new()), |(_, toolchain, _)| toolchain.version())?;
     let begin = Instant::now();
-    let (rows, failures) = work(jobs, args);
+    let (rows, failures) = work(&jobs, args);
     print_table(&rows);
     let mut failures: Vec<String> = failures.iter().map(ToString::to_string).collect();
     failures.extend(superfluous(&rows));
@@ -122,32 +125,37 @@ fn ready(board: &Board) -> Result<Toolchain, Failure> {
     Toolchain::find(board)
 }
 
-/// All jobs on two threads: one image is built while another runs.
-fn work(jobs: Vec<(Board, Toolchain, Picture)>, args: &Args) -> (Vec<Row>, Vec<Failure>) {
-    let count = jobs.len();
-    let jobs = Mutex::new(jobs.into_iter().enumerate());
-    let (compiler, done) = (Mutex::new(()), Mutex::new(Vec::new()));
-    std::thread::scope(|scope| {
-        for _ in 0..2 {
-            scope.spawn(|| {
-                loop {
-                    let next = jobs.lock().ok().and_then(|mut jobs| jobs.next());
-                    let Some((number, (board, toolchain, picture))) = next else { return };
-                    let name = title(&board, &picture);
-                    let row = draw(board, toolchain, picture, &compiler, args);
-                    let row = row.map_err(|failure| -> Failure { format!("{name}: {failure}").into() });
-                    println!("[{}/{count}] {name}{}", number + 1, if row.is_ok() { "" } else { ": FAILED" });
-                    if let Ok(mut done) = done.lock() {
-                        done.push((number, row));
-                    }
-                }
-            });
-        }
+/// What is drawn: a board, what builds its image, and the picture.
+type Job = (Board, Toolchain, Picture);
+
+/// All jobs, each in its board's target folder. A thread works through each folder, so two targets are built at once, and
+/// an image runs while one of the other folder is built.
+fn work(jobs: &[Job], args: &Args) -> (Vec<Row>, Vec<Failure>) {
+    let finished = AtomicUsize::new(0);
+    let one = |(board, toolchain, picture): &Job| {
+        let begin = Instant::now();
+        let name = title(board, picture);
+        let row = draw(*board, *toolchain, picture.clone(), args);
+        let row = row.map_err(|failure| -> Failure { format!("{name}: {failure}").into() });
+        let (seconds, verdict) = (begin.elapsed().as_secs(), if row.is_ok() { "" } else { ": FAILED" });
+        let number = finished.fetch_add(1, Ordering::Relaxed) + 1;
+        println!("[{number}/{}] {name}, {seconds} s{verdict}", jobs.len());
+        row
+    };
+    let done = std::thread::scope(|scope| {
+        let threads = (0..TARGET_FOLDERS).map(|folder| {
+            scope.spawn(move || {
+                let jobs = jobs.iter().enumerate().filter(|(_, (board, ..))| board.target_folder() == folder);
+                jobs.map(|(place, job)| (place, one(job))).collect::<Vec<_>>()
+            })
+        });
+        let threads: Vec<_> = threads.collect();
+        let joined =
+            threads.into_iter().map(|thread| thread.join().unwrap_or_else(|panic| resume_unwind(panic)));
+        joined.flatten().collect::<BTreeMap<_, _>>()
     });
-    let mut done = done.into_inner().unwrap_or_default();
-    done.sort_by_key(|(number, _)| *number);
     let (mut rows, mut failures) = (Vec::new(), Vec::new());
-    for (_, row) in done {
+    for row in done.into_values() {
         match row {
             Ok(row) => rows.push(row),
             Err(failure) => failures.push(failure),
@@ -165,20 +173,10 @@ fn title(board: &Board, picture: &Picture) -> String {
 }
 
 /// Builds, boots and compares one picture.
-fn draw(
-    board: Board,
-    toolchain: Toolchain,
-    picture: Picture,
-    compiler: &Mutex<()>,
-    args: &Args,
-) -> Result<Row, Failure> {
+fn draw(board: Board, toolchain: Toolchain, picture: Picture, args: &Args) -> Result<Row, Failure> {
     let room = tempfile::tempdir()?;
     let image = room.path().join("image");
-    {
-        // One file name serves all images of a package.
-        let _compiling = compiler.lock();
-        fs::copy(toolchain.build(&board, &picture)?, &image)?;
-    }
+    fs::copy(toolchain.build(&board, &picture)?, &image)?;
     let outcome = machine::run(&board, &image, room.path())?;
     if let Some(keep) = &args.keep {
         let folder = keep.join(title(&board, &picture).replace(' ', "-"));
