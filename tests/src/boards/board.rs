@@ -187,17 +187,29 @@ impl Picture {
     /// Whether the picture is drawn where time is short.
     #[must_use]
     pub fn is_brief(&self, board: &Board) -> bool {
-        match (board.name, self.scene, self.format) {
-            ("microbit", "opaque", Format::Q16) | ("mps2-an386", "opaque", Format::F32) if !self.baked => {
-                true
-            }
-            _ if !self.baked => false,
-            // Every scene on two boards, of the one picture on another; elsewhere the least and the most that there is.
-            ("microbit" | "riscv" | "pc-floppy", _, Format::Q16) => true,
-            (_, scene, Format::Q16) => matches!(scene, "opaque" | "glass-2"),
-            (_, scene, Format::F32) => scene == "juggler",
-            _ => false,
-        }
+        let any_scene = matches!(
+            (board.name, self.scene, self.format),
+            ("microbit", "opaque", Format::Q16) | ("mps2-an386", "opaque", Format::F32)
+        );
+        // Every scene on two boards, and the one that another has; elsewhere the least and the most that there is.
+        let this_scene = match self.format {
+            Format::Q16 if matches!(board.name, "microbit" | "riscv" | "pc-floppy") => true,
+            Format::Q16 => matches!(self.scene, "opaque" | "glass-2"),
+            _ => self.scene == "juggler",
+        };
+        if self.baked { this_scene } else { any_scene }
+    }
+
+    /// What the program can draw, in words.
+    #[must_use]
+    pub fn needs(&self) -> &'static str {
+        if self.baked { "baked" } else { "Everything" }
+    }
+
+    /// What the picture is called.
+    #[must_use]
+    pub fn title(&self, board: &Board) -> String {
+        format!("{} {} {} {}", board.name, self.scene, self.format, self.needs())
     }
 }
 
