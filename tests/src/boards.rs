@@ -4,11 +4,14 @@
 //! run in an emulator, and what they drew is compared byte for byte with what the engine draws here.
 
 pub mod board;
+pub mod compare;
 pub mod elf;
 pub mod expected;
 pub mod footprint;
 pub mod machine;
 pub mod qmp;
+pub mod report;
+pub mod row;
 pub mod toolchain;
 
 use std::path::PathBuf;

@@ -191,7 +191,25 @@ impl Picture {
             (board.name, self.scene, self.format),
             ("microbit", "opaque", Format::Q16) | ("mps2-an386", "opaque", Format::F32)
         );
-        if self.baked { self.format == Format::Q16 || self.scene == "juggler" } else { any_scene }
+        // Every scene on two boards, and the one that another has; elsewhere the least and the most that there is.
+        let this_scene = match self.format {
+            Format::Q16 if matches!(board.name, "microbit" | "riscv" | "pc-floppy") => true,
+            Format::Q16 => matches!(self.scene, "opaque" | "glass-2"),
+            _ => self.scene == "juggler",
+        };
+        if self.baked { this_scene } else { any_scene }
+    }
+
+    /// What the program can draw, in words.
+    #[must_use]
+    pub fn needs(&self) -> &'static str {
+        if self.baked { "baked" } else { "Everything" }
+    }
+
+    /// What the picture is called.
+    #[must_use]
+    pub fn title(&self, board: &Board) -> String {
+        format!("{} {} {} {}", board.name, self.scene, self.format, self.needs())
     }
 }
 
@@ -206,7 +224,17 @@ const SCENES: [(&str, &str); 4] = [
     ("hall-22", "../../scenes/hall-22.dat"),
 ];
 
+/// Number of target folders, in each of which one image at a time is built.
+pub const TARGET_FOLDERS: usize = 2;
+
 impl Board {
+    /// The target folder that its images are built in: always the same for a target, whose `core` is built once only, and
+    /// about half of the work for each.
+    #[must_use]
+    pub fn target_folder(&self) -> usize {
+        usize::from(matches!(self.name, "mps2-an386" | "riscv" | "sparc" | "wasm"))
+    }
+
     /// The pictures that the board draws.
     #[must_use]
     pub fn pictures(&self) -> Vec<Picture> {

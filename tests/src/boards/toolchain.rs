@@ -56,7 +56,7 @@ impl Toolchain {
     /// The compiler's.
     pub fn build(self, board: &Board, picture: &Picture) -> Result<PathBuf, Failure> {
         let package = folder().join(board.package);
-        let target_dir = target_dir();
+        let target_dir = target_dir(board);
         let upper = board.target.to_uppercase().replace('-', "_");
         let mut cargo = match self {
             Self::Installed => Command::new(env::var_os("CARGO").unwrap_or("cargo".into())),
@@ -104,10 +104,10 @@ impl Toolchain {
     }
 }
 
-/// Where the images are built: beside everything else that is built.
-fn target_dir() -> PathBuf {
+/// Where a board's images are built: beside everything else that is built.
+fn target_dir(board: &Board) -> PathBuf {
     let target = env::var_os("CARGO_TARGET_DIR").map_or_else(|| folder().join("../../target"), PathBuf::from);
-    target.join("boards")
+    target.join("boards").join(board.target_folder().to_string())
 }
 
 /// Whether the installed compiler has `core` for a target.

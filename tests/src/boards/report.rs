@@ -1,0 +1,76 @@
+//! What is told of all pictures together: the table, and what is wrong with programs whose pictures are right.
+
+use rta::engine::Format;
+
+use super::board::{Board, Picture};
+use super::footprint::Footprint;
+use super::row::{PRIMITIVES, Row};
+
+/// What programs that hold only what the opaque scene needs have in them that they should not have.
+#[must_use]
+pub fn superfluous(rows: &[Row]) -> Vec<String> {
+    let of = |board: &Board, format, baked| {
+        rows.iter().find(|row| {
+            let Picture { scene, format: this, baked: own, .. } = row.picture;
+            row.board == *board && (scene, this, own) == ("opaque", format, baked)
+        })
+    };
+    let mut found = Vec::new();
+    for baked in rows.iter().filter(|row| row.picture.scene == "opaque" && row.picture.baked) {
+        let name = baked.picture.title(&baked.board);
+        if !baked.primitives.is_empty() {
+            found.push(format!("{name}: it has functions of {}", baked.primitives.join(", ")));
+        }
+        let Some(everything) = of(&baked.board, baked.picture.format, false) else { continue };
+        if baked.picture.format == Format::Q16 && everything.primitives != PRIMITIVES {
+            found.push(format!("{name}: names of functions tell nothing, as Everything's do not"));
+        }
+        if let (Some(few), Some(all)) = (&baked.footprint, &everything.footprint)
+            && few.text * 100 > all.text * 65
+        {
+            found.push(format!("{name}: {} bytes of code, of {} with Everything", few.text, all.text));
+        }
+    }
+    found
+}
+
+/// How footprints differ from those on the page, if the same compiler made them.
+#[must_use]
+pub fn drift(now: &[Footprint], (compiler, then): &(String, Vec<Footprint>), version: &str) -> Vec<String> {
+    if compiler != version {
+        println!("footprints were recorded with {compiler}: not compared with {version}");
+        return Vec::new();
+    }
+    let recorded = |row: &Footprint| then.iter().find(|then| then.key == row.key);
+    now.iter()
+        .flat_map(|row| match recorded(row) {
+            Some(then) => row.drift(then),
+            None => vec![format!("{}: not in FOOTPRINT.md", row.key.join(" "))],
+        })
+        .collect()
+}
+
+/// Prints a line for each picture.
+pub fn print_table(rows: &[Row]) {
+    println!(
+        "\n{:12} {:12} {:8} {:4} {:10} {:>9} {:>6} {:>6} {:>8}  hash at 160x100",
+        "board", "processor", "scene", "", "needs", "raster", "stack", ".text", "a pixel"
+    );
+    for Row { board, picture, hash, stack, footprint, .. } in rows {
+        let (width, height) = picture.size;
+        let word = |figure: Option<u64>| figure.map_or_else(String::new, |figure| figure.to_string());
+        println!(
+            "{:12} {:12} {:8} {:4} {:10} {:>9} {:>6} {:>6} {:>8}  {hash:016x}",
+            board.name,
+            board.processor,
+            picture.scene,
+            picture.format.to_string(),
+            picture.needs(),
+            format!("{width}x{height}"),
+            word(*stack),
+            word(footprint.as_ref().map(|row| row.text)),
+            word(footprint.as_ref().map(|row| row.instructions)),
+        );
+    }
+    println!();
+}

@@ -1,0 +1,91 @@
+//! One picture, from its source to what is told of it.
+
+use std::fs;
+use std::path::Path;
+
+use super::board::{Board, Output, Picture};
+use super::footprint::Footprint;
+use super::machine::{self, Outcome};
+use super::toolchain::Toolchain;
+use super::{Failure, compare, elf, expected};
+
+/// Primitives that the opaque scene does not have, by the names of their modules.
+pub const PRIMITIVES: [&str; 2] = ["cylinder", "ellipsoid"];
+
+/// A picture that came out right.
+#[derive(Clone, Debug)]
+pub struct Row {
+    /// The board.
+    pub board: Board,
+    /// The picture.
+    pub picture: Picture,
+    /// Its hash as boards without a screen stream it.
+    pub hash: u64,
+    /// Bytes of stack, if reported.
+    pub stack: Option<u64>,
+    /// Of [`PRIMITIVES`], what the names of the program's functions have in them.
+    pub primitives: Vec<&'static str>,
+    /// What the image takes, where stack and instructions are reported.
+    pub footprint: Option<Footprint>,
+}
+
+impl Row {
+    /// Builds, boots and compares one picture; keeps what came of it in a folder of `keep`.
+    ///
+    /// # Errors
+    /// The compiler's and the emulator's, and whatever is not as it must be.
+    pub fn draw(
+        board: Board,
+        toolchain: Toolchain,
+        picture: Picture,
+        keep: Option<&Path>,
+    ) -> Result<Self, Failure> {
+        let room = tempfile::tempdir()?;
+        let image = room.path().join("image");
+        fs::copy(toolchain.build(&board, &picture)?, &image)?;
+        let outcome = machine::run(&board, &image, room.path())?;
+        if let Some(keep) = keep {
+            let folder = keep.join(picture.title(&board).replace(' ', "-"));
+            fs::create_dir_all(&folder)?;
+            for file in fs::read_dir(room.path())?.flatten().filter(|file| file.path().is_file()) {
+                fs::copy(file.path(), folder.join(file.file_name()))?;
+            }
+        }
+        let want = expected::shown(&picture, board.output)?;
+        compare::picture(&outcome.drawn, &want)?;
+        if let (Some(dump), Output::Screen { screen, zoom, .. }) = (&outcome.screendump, board.output) {
+            compare::screen(dump, &want, picture.size, screen, zoom as usize)?;
+        }
+        let streamed = (160, 100);
+        let hash = expected::streamed(&picture, streamed)?.hash(streamed)?;
+        let own = outcome.hash.map_or_else(|| outcome.drawn.hash(picture.size), Ok)?;
+        if own != hash {
+            return Err(format!("its hash is {own:016x}, not {hash:016x}").into());
+        }
+        let image = fs::read(&image)?;
+        let footprint = footprint_of(&board, &picture, &outcome, &image)?;
+        let mut primitives = Vec::new();
+        if footprint.is_some() {
+            for name in PRIMITIVES {
+                if elf::mentions(&image, name)? {
+                    primitives.push(name);
+                }
+            }
+        }
+        Ok(Self { board, picture, hash, stack: outcome.stack, primitives, footprint })
+    }
+}
+
+fn footprint_of(
+    board: &Board,
+    picture: &Picture,
+    outcome: &Outcome,
+    image: &[u8],
+) -> Result<Option<Footprint>, Failure> {
+    let (Some(stack), Some(instructions)) = (outcome.stack, outcome.instructions) else { return Ok(None) };
+    let elf::Sizes { text, rodata, ram } = elf::sizes(image)?;
+    let (width, height) = picture.size;
+    let instructions = instructions / (u64::from(width) * u64::from(height));
+    let key = [board.name, picture.scene, &picture.format.to_string(), picture.needs()].map(str::to_owned);
+    Ok(Some(Footprint { key, text, rodata, ram, stack, instructions }))
+}
