@@ -1,7 +1,7 @@
 //! Tells the program by which compiler it was built, and how: instruction counts are compared only between equals.
 
+use core::error::Error;
 use std::env;
-use std::error::Error;
 use std::process::Command;
 
 fn main() -> Result<(), Box<dyn Error>> {
