@@ -1,9 +1,10 @@
 //! What is measured: a scene, and how it is traced.
 
-use std::path::Path;
-use std::time::{Duration, Instant};
-
 use core::sync::atomic::AtomicBool;
+use core::time::Duration;
+use std::path::Path;
+use std::time::Instant;
+
 use cpu_time::ThreadTime;
 use rta_core::color::Rgb;
 use rta_scenes::description::Description;

@@ -1,8 +1,8 @@
 //! Instructions of small pictures, recorded in a file and counted again: what makes the tracer dearer is found without a
 //! quiet machine.
 
+use core::fmt::Write;
 use core::sync::atomic::AtomicBool;
-use std::fmt::Write;
 use std::path::Path;
 use std::{fs, io};
 
@@ -109,7 +109,9 @@ fn parse(page: &str) -> Result<(&str, Vec<Entry>), String> {
     let named = page.lines().find_map(|line| line.strip_prefix(COMPILER));
     let compiler = named.ok_or("it names no compiler")?;
     let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_reader(page.as_bytes());
-    let rows: Result<Vec<(String, String, u64, u64, u64)>, _> = reader.deserialize().collect();
+    /// Scene, format, rays, instructions, instructions a ray.
+    type Row = (String, String, u64, u64, u64);
+    let rows: Result<Vec<Row>, _> = reader.deserialize().collect();
     let entry = |(scene, format, rays, instructions, _)| Entry { key: [scene, format], rays, instructions };
     Ok((compiler, rows.map_err(|error| error.to_string())?.into_iter().map(entry).collect()))
 }
