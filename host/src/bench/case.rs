@@ -153,7 +153,7 @@ mod tests {
             (case.objects(), size.to_string(), aspect)
         };
         assert_eq!(about("hall-22"), (22, "320x200".to_owned(), 4.0 / 3.0));
-        assert_eq!(about("balls2"), (92, "512x512".to_owned(), 1.0));
+        assert_eq!(about("balls2"), (93, "512x512".to_owned(), 1.0));
         assert_eq!(about("spheres-22"), (22, "512x512".to_owned(), 1.0));
         assert!(matches!(Case::named("nothing", TRACING), Err(Error::NoScene(name)) if name == "nothing"));
     }
