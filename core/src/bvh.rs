@@ -101,6 +101,9 @@ pub struct Boxes<S: Scalar> {
 }
 
 /// A hierarchy; without nodes it is none.
+///
+/// Admission sees that it leads on, ends and holds each index that it names, not that each box contains its objects: that is
+/// the builder's promise. Where a box is too small, something is not seen; nothing else happens.
 #[derive(Clone, Copy, Debug)]
 pub struct Bvh<'a, S: Scalar> {
     /// Nodes, the root first.
@@ -135,7 +138,7 @@ impl<S: Scalar> Slabs<S> {
         let margin = far.margin();
         let mut starts = origin.map(|c| c.either_side(margin));
         for (starts, entry) in starts.iter_mut().zip(entry) {
-            // Upwards the least plane is entered later when seen from below.
+            // Upwards it enters by the least plane, which is moved down by starting higher.
             if entry == 0 {
                 starts.reverse();
             }

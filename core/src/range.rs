@@ -145,7 +145,7 @@ pub enum RangeError {
     Radius(Object),
     /// A reflectance is below 0.
     Color(Object),
-    /// A node of a hierarchy does not contain its objects, or leads nowhere.
+    /// A node of a hierarchy leads nowhere, or, of spheres, does not contain its run of them.
     Hierarchy(usize),
 }
 
