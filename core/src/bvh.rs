@@ -1,8 +1,8 @@
 //! A bounding volume hierarchy of boxes over all finite objects of a scene, made ahead and borrowed.
 //!
-//! A node holds the boxes of its four children side by side (I. Wald, C. Benthin and S. Boulos, "Getting Rid of Packets",
-//! IEEE Symposium on Interactive Ray Tracing, 2008), so that a machine with lanes tests them at once. The search goes on
-//! in the nearest box that the ray enters and keeps the others on a stack of fixed size.
+//! A node holds the boxes of its four children (I. Wald, C. Benthin and S. Boulos, "Getting Rid of Packets", IEEE Symposium
+//! on Interactive Ray Tracing, 2008). The search goes on in the nearest box that the ray enters and keeps the others on a
+//! stack of fixed size. It is for machines without lanes; those that have some go by [`lanes`](crate::lanes).
 //!
 //! A box is never missed that holds something the ray meets: each plane is moved outwards by [`Scalar::margin`], more than
 //! the object, its test and this one can be wrong together.
@@ -31,6 +31,8 @@ pub enum Item {
     Cone(u32),
     /// A triangle.
     Triangle(u32),
+    /// A visible lamp, which [`lanes`](crate::lanes) hold too.
+    Lamp(u32),
 }
 
 /// What is in one of a node's boxes: nothing, another node, which comes later in the list, or a run of the items.
@@ -68,14 +70,26 @@ impl Child {
         Self(Self::LEAF | count << Self::FIRST_BITS | first)
     }
 
+    /// The node's number; nothing of a leaf, or where nothing is.
+    #[inline]
+    pub(crate) fn number(self) -> Option<usize> {
+        (self.0 & Self::LEAF == 0).then(|| index(self.0))
+    }
+
+    /// The first of a leaf's run, and how many there are; where nothing is, a run beyond all lists.
+    #[inline]
+    pub(crate) fn run(self) -> (usize, usize) {
+        (index(self.0 & (Self::MAX_ITEMS - 1)), index(self.0 >> Self::FIRST_BITS & 15))
+    }
+
     fn kind(self) -> Kind {
         if self.0 & Self::LEAF == 0 {
             Kind::Node(self.0)
         } else if self == Self::EMPTY {
             Kind::Empty
         } else {
-            let first = self.0 & (Self::MAX_ITEMS - 1);
-            Kind::Leaf(index(first), index(self.0 >> Self::FIRST_BITS & 15))
+            let (first, count) = self.run();
+            Kind::Leaf(first, count)
         }
     }
 }
@@ -177,9 +191,10 @@ impl<'a, S: Scalar> Bvh<'a, S> {
     /// No hierarchy.
     pub const NONE: Self = Self { nodes: &[], items: &[], size: S::ZERO };
 
-    /// Calls `visit` with the items that the ray may meet nearer than `t_max`, which `visit` may shrink; near boxes first.
+    /// Calls `visit` with the items that the ray may meet nearer than `t_max`, near boxes first. `visit` says how near that is
+    /// which it has met, where nothing nearer was before; that shrinks `t_max`.
     #[inline]
-    pub(crate) fn nearest(&self, ray: &Ray<S>, t_max: &mut S, mut visit: impl FnMut(Item, &mut S)) {
+    pub(crate) fn nearest(&self, ray: &Ray<S>, t_max: &mut S, mut visit: impl FnMut(Item) -> Option<S>) {
         let slabs = Slabs::new(ray, self.size);
         let mut waiting = Vec::<(Child, S), STACK>::new();
         let mut child = Child::node(0);
@@ -188,12 +203,14 @@ impl<'a, S: Scalar> Bvh<'a, S> {
                 Kind::Empty => {}
                 Kind::Leaf(first, count) => {
                     for &item in self.run(first, count) {
-                        visit(item, t_max);
+                        if let Some(t) = visit(item) {
+                            *t_max = t;
+                        }
                     }
                 }
                 Kind::Node(number) => {
                     let Some(node) = self.nodes.get(index(number)) else { return };
-                    let (near, mask) = S::enter(node, &slabs, *t_max);
+                    let (near, mask) = node.enter(&slabs, *t_max);
                     let base = waiting.len();
                     for k in Bits(mask) {
                         if let (Some(&child), Some(&near)) = (node.children.get(k), near.get(k)) {
@@ -232,7 +249,7 @@ impl<'a, S: Scalar> Bvh<'a, S> {
                 }
                 Kind::Node(number) => {
                     let Some(node) = self.nodes.get(index(number)) else { return true };
-                    let (_, mask) = S::enter(node, &slabs, t_max);
+                    let (_, mask) = node.enter(&slabs, t_max);
                     for k in Bits(mask) {
                         if let Some(&child) = node.children.get(k) {
                             let _ = waiting.push(child);
@@ -249,52 +266,69 @@ impl<'a, S: Scalar> Bvh<'a, S> {
         self.items.get(first..first + count).unwrap_or(&[])
     }
 
-    /// The first node that is wrong: that leads back or out of the list, or too deep, or whose leaves do not follow each
-    /// other through the items. `counts` are the numbers of spheres, ellipsoids, cones and triangles.
+    /// The first node that is wrong. `counts` are the numbers of spheres, ellipsoids, cones and triangles.
     pub(crate) fn first_wrong(&self, counts: [usize; 4]) -> Option<usize> {
         if self.nodes.is_empty() {
             return None;
         }
         let [spheres, ellipsoids, cones, triangles] = counts;
-        let is_there = |item: &Item| match *item {
-            Item::Sphere(i) => index(i) < spheres,
-            Item::Ellipsoid(i) => index(i) < ellipsoids,
-            Item::Cone(i) => index(i) < cones,
-            Item::Triangle(i) => index(i) < triangles,
-        };
-        if self.items.len() != counts.iter().sum::<usize>() || !self.items.iter().all(is_there) {
+        let all = self.items.len() == counts.iter().sum::<usize>();
+        if !all || !self.items.iter().all(|item| item.is_in([spheres, ellipsoids, cones, triangles, 0])) {
             return Some(0);
         }
-        // In the order of the list each node must be asked for once, and after it was named.
-        let mut waiting = Vec::<(u32, usize), STACK>::new();
-        let _ = waiting.push((0, 1));
-        let (mut expected, mut covered) = (0, 0);
-        while let Some((number, depth)) = waiting.pop() {
-            let Some(node) = self.nodes.get(index(number)) else { return Some(index(number)) };
-            if number != expected || depth > MAX_DEPTH {
-                return Some(index(number));
-            }
-            expected += 1;
-            for child in node.children {
-                if let Kind::Leaf(first, count) = child.kind() {
-                    if first != covered || self.run(first, count).is_empty() {
-                        return Some(index(number));
-                    }
-                    covered += count;
-                }
-            }
-            for child in node.children.into_iter().rev() {
-                if let Kind::Node(below) = child.kind() {
-                    let _ = waiting.push((below, depth + 1));
-                }
-            }
-        }
-        (covered != self.items.len() || index(expected) != self.nodes.len()).then_some(0)
+        first_wrong(|number| Some(self.nodes.get(number)?.children), self.nodes.len(), self.items.len())
     }
 }
 
+impl Item {
+    /// Whether there is such a thing among so many spheres, ellipsoids, cones, triangles and lamps.
+    pub(crate) fn is_in(self, [spheres, ellipsoids, cones, triangles, lamps]: [usize; 5]) -> bool {
+        match self {
+            Self::Sphere(i) => index(i) < spheres,
+            Self::Ellipsoid(i) => index(i) < ellipsoids,
+            Self::Cone(i) => index(i) < cones,
+            Self::Triangle(i) => index(i) < triangles,
+            Self::Lamp(i) => index(i) < lamps,
+        }
+    }
+}
+
+/// The first of `nodes` nodes that is wrong: that leads back or out of the list, or too deep, or whose leaves do not follow
+/// each other through what `held` counts.
+pub(crate) fn first_wrong(
+    children: impl Fn(usize) -> Option<[Child; 4]>,
+    nodes: usize,
+    held: usize,
+) -> Option<usize> {
+    // In the order of the list each node must be asked for once, and after it was named.
+    let mut waiting = Vec::<(u32, usize), STACK>::new();
+    let _ = waiting.push((0, 1));
+    let (mut expected, mut covered) = (0, 0);
+    while let Some((number, depth)) = waiting.pop() {
+        let Some(children) = children(index(number)) else { return Some(index(number)) };
+        if number != expected || depth > MAX_DEPTH {
+            return Some(index(number));
+        }
+        expected += 1;
+        for child in children {
+            if let Kind::Leaf(first, count) = child.kind() {
+                if first != covered || count == 0 || first + count > held {
+                    return Some(index(number));
+                }
+                covered += count;
+            }
+        }
+        for child in children.into_iter().rev() {
+            if let Kind::Node(below) = child.kind() {
+                let _ = waiting.push((below, depth + 1));
+            }
+        }
+    }
+    (covered != held || index(expected) != nodes).then_some(0)
+}
+
 /// The numbers of the bits that are 1.
-struct Bits(u32);
+pub(crate) struct Bits(pub(crate) u32);
 
 impl Iterator for Bits {
     type Item = usize;
@@ -322,6 +356,6 @@ fn sort_last<S: Scalar>(waiting: &mut [(Child, S)], base: usize) {
 }
 
 /// A number of a node or of an item as an index.
-fn index(number: u32) -> usize {
+pub(crate) fn index(number: u32) -> usize {
     usize::try_from(number).unwrap_or(usize::MAX)
 }

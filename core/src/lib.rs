@@ -11,7 +11,7 @@
 //! | [`raster::Pixels`] picks the pixel, or [`sampling::Supersampled`] with several samples in it | `raster.rs`, `sampling.rs` |
 //! | [`camera::Camera`] makes the primary ray | `camera.rs` |
 //! | [`trace::Tracer`] pops a pending ray, asks the scene, asks the model, pushes what the model wants traced | `trace.rs` |
-//! | [`scene::Scene`] finds the nearest hit, by a hierarchy where there is one | `scene.rs`, `bvh.rs`, `hierarchy.rs`, `shape/*.rs` |
+//! | [`scene::Scene`] finds the nearest hit, by a hierarchy where there is one | `scene.rs`, `lanes.rs`, `bvh.rs`, `hierarchy.rs`, `shape/*.rs` |
 //! | the [`illumination::Illumination`] model says what the point sends back | `illumination/*.rs` |
 //! | [`light::Incident`] is what of a lamp arrives there | `light.rs` |
 //! | [`color`] rounds the light to the levels of a display | `color.rs` |
@@ -45,6 +45,7 @@ pub mod color;
 mod error;
 pub mod hierarchy;
 pub mod illumination;
+pub mod lanes;
 pub mod light;
 pub mod material;
 pub mod needs;

@@ -224,7 +224,11 @@ impl<'a, S: Scalar> Scene<'a, S> {
         // Only now is it known that no distance between a node and its spheres leaves the format.
         let counts = [self.spheres.len(), self.ellipsoids.len(), self.cones.len(), self.triangles.len()];
         let wrong = hierarchy::first_wrong(self.hierarchy, self.spheres, hierarchy::largest_radius());
-        match wrong.or_else(|| self.boxes.first_wrong(counts)) {
+        let visible = self.lamps.iter().filter(|lamp| lamp.radius > S::ZERO).count();
+        let [spheres, ellipsoids, cones, triangles] = counts;
+        let laned = [spheres, ellipsoids, cones, triangles, visible];
+        let wrong = wrong.or_else(|| self.boxes.first_wrong(counts));
+        match wrong.or_else(|| self.lanes.first_wrong(laned, self.lamps.len())) {
             Some(node) => Err(RangeError::Hierarchy(node)),
             None => Ok(Admitted { scene: self, limits: proof.limits }),
         }

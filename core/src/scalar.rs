@@ -18,7 +18,6 @@
 use core::fmt::Debug;
 use core::ops::{Add, Neg, Sub};
 
-use crate::bvh::{Boxes, Slabs};
 use crate::range::Magnitude;
 use crate::vector::{LengthVector, UnitVector};
 
@@ -101,12 +100,11 @@ pub trait Scalar:
     /// `self - by` and `self + by`, saturated.
     fn either_side(self, by: Self) -> [Self; 2];
 
-    /// Where a ray enters the four boxes of a node; and a bit for each that it enters before `t_max`, the lowest for the
-    /// first.
-    #[inline]
-    fn enter(node: &Boxes<Self>, slabs: &Slabs<Self>, t_max: Self) -> ([Self; 4], u32) {
-        node.enter(slabs, t_max)
-    }
+    /// The nearest `f32`, for the [`lanes`](crate::lanes) of machines that have some.
+    fn coarse(self) -> f32;
+    /// By how much a search in `f32` makes boxes and spheres larger, where neither the ray's origin nor they have a coordinate
+    /// above `far`: more than the object in it, its own test and that in `f32` can be wrong together.
+    fn coarse_margin(far: f32) -> f32;
 
     /// The next larger length, or the same where there is none.
     fn next_up(self) -> Self;
@@ -122,21 +120,6 @@ pub trait Scalar:
     fn odd_tile(self) -> bool;
     /// The same for the coordinate `self + slope * height / fall`, where the quotient may lie beyond [`Scalar::FAR`].
     fn odd_far_tile(self, slope: Self::Unit, height: Self, fall: Self::Unit) -> bool;
-
-    /// Whether the machine has lanes that make [`Scalar::may_meet`] worth asking.
-    const LANES: bool = false;
-
-    /// Which of four spheres, each a centre and a radius, a ray may meet: a test that costs less than the search and
-    /// never says no where the search finds something. Says yes to all unless
-    /// there are [`Scalar::LANES`].
-    #[inline]
-    fn may_meet(
-        _spheres: [(Self::Vector, Self); 4],
-        _origin: Self::Vector,
-        _direction: Self::UnitVector,
-    ) -> [bool; 4] {
-        [true; 4]
-    }
 
     /// The intensity `mantissa * 2^exponent`.
     fn power(mantissa: u32, exponent: i16) -> Self::Power;
@@ -187,6 +170,8 @@ pub trait Unit:
     fn quotient(self, divisor: Self) -> Self;
     /// The reciprocal, in fixed point of the number's size; of 0 as large as the format has it, and above 0.
     fn reciprocal(self) -> Self::Inverse;
+    /// The nearest `f32`.
+    fn coarse(self) -> f32;
     /// `self^exponent` by squaring, for `self` in [0, 1].
     fn power(self, exponent: u32) -> Self {
         let (mut base, mut left, mut product) = (self, exponent, Self::ONE);

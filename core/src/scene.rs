@@ -6,6 +6,7 @@ use crate::bvh::{Bvh, Item};
 use crate::color::Rgb;
 use crate::hierarchy::{Node, Walk};
 use crate::illumination::Surface;
+use crate::lanes::{LANES, Lanes};
 use crate::light::Lamp;
 use crate::material::Material;
 use crate::needs::Needs;
@@ -33,6 +34,8 @@ pub struct Scene<'a, S: Scalar> {
     pub triangles: &'a [Triangle<S>],
     /// A hierarchy of boxes over ellipsoids, spheres, cones and triangles, or [`Bvh::NONE`].
     pub boxes: Bvh<'a, S>,
+    /// What a machine with lanes goes by instead of the two hierarchies, or [`Lanes::NONE`].
+    pub lanes: Lanes<'a>,
     /// Lamps.
     pub lamps: &'a [Lamp<S>],
     /// The floor, if there is one.
@@ -125,6 +128,7 @@ impl<S: Scalar> Scene<'_, S> {
             cones: &[],
             triangles: &[],
             boxes: Bvh::NONE,
+            lanes: Lanes::NONE,
             lamps: &[],
             floor: Some(Floor {
                 colors: [Rgb::new(unit(85), unit(85), unit(80)), Rgb::new(unit(15), unit(17), unit(25))],
@@ -134,12 +138,6 @@ impl<S: Scalar> Scene<'_, S> {
         }
     }
 
-    /// Whether the spheres are tried one after the other, four side by side: where there are lanes, and no hierarchy or
-    /// so few spheres that walking one takes longer.
-    fn is_swept<N: Needs>(&self) -> bool {
-        S::LANES && (!N::HIERARCHY || self.hierarchy.is_empty() || self.spheres.len() <= 16)
-    }
-
     /// A ray through this scene.
     #[inline]
     pub fn ray<N: Needs>(&self, origin: Vec3<S>, direction: UnitVec3<S>) -> Ray<S> {
@@ -147,9 +145,14 @@ impl<S: Scalar> Scene<'_, S> {
         Ray { origin, direction, plan }
     }
 
-    /// Whether the search goes by boxes: where there are some; but without lanes a hierarchy of spheres is quicker.
+    /// Whether the search goes by lanes.
+    fn is_laned<N: Needs>(&self) -> bool {
+        N::BOXES && LANES && !self.lanes.packs.is_empty()
+    }
+
+    /// Whether it goes by boxes: where there are some; but a hierarchy of spheres is quicker.
     fn is_boxed<N: Needs>(&self) -> bool {
-        N::BOXES && !self.boxes.nodes.is_empty() && (S::LANES || !N::HIERARCHY || self.hierarchy.is_empty())
+        N::BOXES && !self.boxes.nodes.is_empty() && (!N::HIERARCHY || self.hierarchy.is_empty())
     }
 
     /// Where a ray meets an item nearer than `t_max`.
@@ -178,6 +181,10 @@ impl<S: Scalar> Scene<'_, S> {
             }
             Item::Triangle(i) if N::TRIANGLES => {
                 (self.triangles.get(index(i))?.intersect(ray, t_max)?, Object::Triangle(index(i)))
+            }
+            Item::Lamp(i) if N::VISIBLE_LAMPS && LANES => {
+                let lamp = self.lamps.get(index(i))?;
+                (sphere::intersect(lamp.position, lamp.radius, ray, t_max)?, Object::Lamp(index(i)))
             }
             _ => return None,
         };
@@ -217,18 +224,23 @@ impl<S: Scalar> Scene<'_, S> {
                 found(cylinder.intersect(ray, t_max, lid), Object::Cylinder(i), &mut t_max);
             }
         }
-        if self.is_boxed::<N>() {
-            // What is as near as the best so far is looked at too: the boxes come in any order.
+        if self.is_laned::<N>() || self.is_boxed::<N>() {
+            // What is as near as the best so far is looked at too: the objects come in any order.
             let (mut hit, mut limit) = (hit, t_max.next_up());
-            self.boxes.nearest(ray, &mut t_max, |item, t_max| {
-                if let Some(found) = self.meet::<N>(item, ray, limit)
-                    && hit
-                        .is_none_or(|hit: Hit<S>| found.distance < hit.distance || found.object < hit.object)
-                {
-                    (*t_max, limit) = (found.distance, found.distance.next_up());
-                    hit = Some(found);
+            let visit = |item| {
+                let found = self.meet::<N>(item, ray, limit)?;
+                if hit.is_some_and(|hit: Hit<S>| found.distance >= hit.distance && found.object >= hit.object) {
+                    return None;
                 }
-            });
+                limit = found.distance.next_up();
+                hit = Some(found);
+                Some(found.distance)
+            };
+            if self.is_laned::<N>() {
+                self.lanes.nearest(ray, t_max, visit);
+                return hit;
+            }
+            self.boxes.nearest(ray, &mut t_max, visit);
             return self.nearest_lamp::<N>(ray, t_max).or(hit);
         }
         if N::ELLIPSOIDS {
@@ -237,16 +249,9 @@ impl<S: Scalar> Scene<'_, S> {
             }
         }
         if N::SPHERES {
-            if self.is_swept::<N>() {
-                sphere::sweep(self.spheres, ray, |i, sphere| {
-                    found(sphere.intersect(ray, t_max), Object::Sphere(i), &mut t_max);
-                    true
-                });
-            } else {
-                let mut walk = Walk::<S, N>::new(self.hierarchy, self.spheres);
-                while let Some((i, sphere)) = walk.next(ray, t_max) {
-                    found(sphere.intersect(ray, t_max), Object::Sphere(i), &mut t_max);
-                }
+            let mut walk = Walk::<S, N>::new(self.hierarchy, self.spheres);
+            while let Some((i, sphere)) = walk.next(ray, t_max) {
+                found(sphere.intersect(ray, t_max), Object::Sphere(i), &mut t_max);
             }
         }
         if N::CONES {
@@ -294,28 +299,28 @@ impl<S: Scalar> Scene<'_, S> {
                 false
             }
         };
-        if self.is_boxed::<N>() {
+        if self.is_laned::<N>() || self.is_boxed::<N>() {
             let open = |item| {
+                if LANES && matches!(item, Item::Lamp(_)) {
+                    return true;
+                }
                 let hit = self.meet::<N>(item, ray, t_max);
                 hit.and_then(|hit| self.material(hit.object)).is_none_or(&mut shade)
             };
-            if !self.boxes.all(ray, t_max, open) {
+            let is_open = if self.is_laned::<N>() {
+                self.lanes.all(ray, t_max, open)
+            } else {
+                self.boxes.all(ray, t_max, open)
+            };
+            if !is_open {
                 return S::Unit::ZERO;
             }
         } else {
             if N::SPHERES {
-                let mut open =
-                    |sphere: &Sphere<S>| sphere.intersect(ray, t_max).is_none() || shade(&sphere.material);
-                if self.is_swept::<N>() {
-                    if !sphere::sweep(self.spheres, ray, |_, sphere| open(sphere)) {
+                let mut walk = Walk::<S, N>::new(self.hierarchy, self.spheres);
+                while let Some((_, sphere)) = walk.next(ray, t_max) {
+                    if sphere.intersect(ray, t_max).is_some() && !shade(&sphere.material) {
                         return S::Unit::ZERO;
-                    }
-                } else {
-                    let mut walk = Walk::<S, N>::new(self.hierarchy, self.spheres);
-                    while let Some((_, sphere)) = walk.next(ray, t_max) {
-                        if !open(sphere) {
-                            return S::Unit::ZERO;
-                        }
                     }
                 }
             }

@@ -7,6 +7,7 @@ use rta_core::bvh::{Boxes, Bvh, Item};
 use rta_core::camera::{Camera, Lens};
 use rta_core::color::Rgb;
 use rta_core::hierarchy::Node;
+use rta_core::lanes::LANES;
 use rta_core::light::Lamp;
 use rta_core::material::{Finish, Glass, Material};
 use rta_core::scene::{Scene, Sky};
@@ -21,6 +22,8 @@ mod bvh;
 mod cone;
 mod formats;
 mod hierarchy;
+mod lanes;
+mod tree;
 mod triangle;
 
 /// A number format that descriptions can be narrowed to.
@@ -72,6 +75,8 @@ pub struct Narrowed<S: Scalar> {
     pub items: Vec<Item>,
     /// The largest size of a coordinate in it.
     pub size: S,
+    /// What a machine with lanes goes by.
+    pub lanes: lanes::Built,
     /// Lamps.
     pub lamps: Vec<Lamp<S>>,
     /// The floor.
@@ -83,15 +88,16 @@ pub struct Narrowed<S: Scalar> {
 }
 
 impl<S: Scalar> Narrowed<S> {
-    /// Without the boxes, where a machine without lanes is as quick without them: a hierarchy of spheres, or none, does.
+    /// The same for a machine without lanes: with a hierarchy of spheres or of boxes, or none where there are few objects.
     #[must_use]
-    pub fn without_lanes(mut self, description: &Description) -> Self {
-        if !bvh::is_worthwhile(description) {
-            self.boxes.clear();
-            self.items.clear();
-            self.size = S::ZERO;
-        }
-        self
+    pub fn without_lanes(self, description: &Description) -> Self
+    where
+        S: Narrow,
+    {
+        let bvh::Built { nodes: boxes, items, size } = bvh::build::<S>(description);
+        let hierarchy =
+            if boxes.is_empty() { hierarchy::build(&description.spheres) } else { Vec::new() };
+        Self { hierarchy, boxes, items, size, lanes: lanes::Built::default(), ..self }
     }
 
     /// The scene, borrowed.
@@ -104,6 +110,7 @@ impl<S: Scalar> Narrowed<S> {
             cones: &self.cones,
             triangles: &self.triangles,
             boxes: Bvh { nodes: &self.boxes, items: &self.items, size: self.size },
+            lanes: self.lanes.lanes(),
             lamps: &self.lamps,
             floor: self.floor,
             sky: self.sky,
@@ -256,7 +263,8 @@ fn lamp<S: Narrow>(index: usize, lamp: &description::Lamp) -> Result<Lamp<S>, Na
     Ok(Lamp::new(position, radius, <S as Narrow>::power(strongest), Rgb::new(r, g, b)))
 }
 
-/// Brings a description into the number format `S`, for a screen of the shape `aspect : 1`.
+/// Brings a description into the number format `S`, for a screen of the shape `aspect : 1`, with what this machine searches
+/// by.
 ///
 /// # Errors
 /// The first thing that the format cannot hold, with its size and the limit.
@@ -304,9 +312,6 @@ pub fn narrow<S: Narrow>(description: &Description, aspect: f64) -> Result<Narro
     let cones = cones.collect::<Result<Vec<_>, _>>()?;
     let triangles = description.triangles.iter().enumerate().map(|(i, t)| triangle::narrow(i, t));
     let triangles = triangles.collect::<Result<Vec<_>, _>>()?;
-    let bvh::Built { nodes, items, size } = bvh::build::<S>(description);
-    let boxed = !nodes.is_empty() && bvh::is_worthwhile(description);
-    let hierarchy = if boxed { Vec::new() } else { hierarchy::build(&description.spheres) };
     let lamps: Result<Vec<_>, _> = description.lamps.iter().enumerate().map(|(i, l)| lamp(i, l)).collect();
     let floor = match &description.floor {
         None => None,
@@ -318,17 +323,18 @@ pub fn narrow<S: Narrow>(description: &Description, aspect: f64) -> Result<Narro
             })
         }
     };
-    Ok(Narrowed {
+    let narrowed = Narrowed {
         camera: camera(&description.camera, aspect)?,
         cylinders,
         ellipsoids,
         spheres,
-        hierarchy,
+        hierarchy: Vec::new(),
         cones,
         triangles,
-        boxes: nodes,
-        items,
-        size,
+        boxes: Vec::new(),
+        items: Vec::new(),
+        size: S::ZERO,
+        lanes: lanes::Built::default(),
         lamps: lamps?,
         floor,
         sky: Sky {
@@ -336,6 +342,11 @@ pub fn narrow<S: Narrow>(description: &Description, aspect: f64) -> Result<Narro
             zenith: Checker::<S>::named("the zenith").light(description.sky.zenith)?,
         },
         ambient: Checker::<S>::named("the ambient light").light(description.ambient)?,
+    };
+    Ok(if LANES {
+        Narrowed { lanes: lanes::build(description), ..narrowed }
+    } else {
+        narrowed.without_lanes(description)
     })
 }
 

@@ -8,6 +8,7 @@ use fixed::types::{I2F30, I12F20, I16F16, I24F40, I32F32};
 
 use super::integer::{self, Reciprocal, shift_right, shift_right_by, wide};
 use super::{Light, Scalar, Unit};
+use crate::lanes;
 use crate::range::Magnitude;
 use crate::vector::{LengthVector, Plan, UnitVector, Xyz};
 
@@ -115,6 +116,10 @@ impl Unit for I2F30 {
     }
     fn reciprocal(self) -> Reciprocal {
         Reciprocal::of(self.to_bits().unsigned_abs())
+    }
+    #[inline]
+    fn coarse(self) -> f32 {
+        lanes::coarse(self.to_bits(), UNIT_BITS)
     }
     fn radical(a: Self, b: Self, minus: Self) -> Option<Self> {
         let square = |c: Self| wide(c.to_bits(), c.to_bits());
@@ -318,6 +323,15 @@ macro_rules! fixed_point {
             }
             fn either_side(self, by: Self) -> [Self; 2] {
                 [self.saturating_sub(by), self.saturating_add(by)]
+            }
+            #[inline]
+            fn coarse(self) -> f32 {
+                lanes::coarse(self.to_bits(), $bits)
+            }
+            /// Its own [`Scalar::margin`] is the same for all places.
+            #[inline]
+            fn coarse_margin(far: f32) -> f32 {
+                lanes::margin(far, lanes::coarse(72, $bits))
             }
             fn next_up(self) -> Self {
                 self.saturating_add(Self::DELTA)

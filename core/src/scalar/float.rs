@@ -1,9 +1,9 @@
 //! `f32` and `f64` as scalars: glam's vectors, libm's square root. Nothing is fused and nothing is reordered, so the
 //! results are the same on every processor with IEEE 754 arithmetic.
-#![allow(clippy::float_arithmetic)] // the one file of the core with floats in it
+#![allow(clippy::float_arithmetic)] // beside `lanes`, the one file of the core with floats in it
 
 use super::{Light, Scalar, Unit};
-use crate::bvh::{Boxes, Slabs};
+use crate::lanes;
 use crate::range::Magnitude;
 use crate::vector::{LengthVector, Plan, UnitVector, Vector};
 
@@ -40,6 +40,11 @@ macro_rules! float {
             fn reciprocal(self) -> Self {
                 1.0 / (self + 0.0) // of a zero without a sign
             }
+            #[inline]
+            #[allow(clippy::cast_possible_truncation)] // to the nearest
+            fn coarse(self) -> f32 {
+                self as f32
+            }
             fn radical(a: Self, b: Self, minus: Self) -> Option<Self> {
                 // (a - m)(a + m) keeps the digits that a^2 - m^2 would cancel.
                 let square = (a - minus) * (a + minus) + b * b;
@@ -64,7 +69,7 @@ macro_rules! float {
             #[cfg_attr(target_os = "none", inline(never))] // three registers ask
             #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a float's cast saturates
             fn level(self, max: u8) -> u8 {
-                if self >= 1.0 { max } else { (self * max as $f + 0.5) as u8 }
+                if self >= 1.0 { max } else { (self * max as $f + 0.5) as i32 as u8 }
             }
         }
 
@@ -133,29 +138,15 @@ macro_rules! float {
             fn either_side(self, by: Self) -> [Self; 2] {
                 [self - by, self + by]
             }
-            /// Four lanes side by side. A ray along a plane makes 0 times infinity, which no comparison is true of.
             #[inline]
-            #[allow(
-                clippy::indexing_slicing,
-                reason = "every index is below the length, and so the loops are lanes"
-            )]
-            fn enter(node: &Boxes<Self>, slabs: &Slabs<Self>, t_max: Self) -> ([Self; 4], u32) {
-                let (mut near, mut far, mut mask) = ([0.0; 4], [t_max; 4], 0);
-                for axis in 0..3 {
-                    let (inverse, [start, end]) = (slabs.inverse[axis], slabs.starts[axis]);
-                    let (entry, exit) = (slabs.entry[axis] & 1, !slabs.entry[axis] & 1);
-                    let (first, last) = (&node.planes[axis][entry], &node.planes[axis][exit]);
-                    for k in 0..4 {
-                        let t = (first[k] - start) * inverse;
-                        near[k] = if t > near[k] { t } else { near[k] };
-                        let t = (last[k] - end) * inverse;
-                        far[k] = if t < far[k] { t } else { far[k] };
-                    }
-                }
-                for k in 0..4 {
-                    mask |= u32::from(near[k] <= far[k]) << k;
-                }
-                (near, mask)
+            #[allow(clippy::cast_possible_truncation)] // to the nearest
+            fn coarse(self) -> f32 {
+                self as f32
+            }
+            #[inline]
+            #[allow(clippy::cast_possible_truncation)] // of the same size
+            fn coarse_margin(far: f32) -> f32 {
+                lanes::margin(far, far * (64.0 * <$f>::EPSILON) as f32)
             }
             fn next_up(self) -> Self {
                 <$f>::next_up(self)
@@ -174,19 +165,6 @@ macro_rules! float {
             }
             fn odd_far_tile(self, slope: Self, height: Self, fall: Self) -> bool {
                 (self + slope * (height / fall)).odd_tile()
-            }
-            const LANES: bool =
-                cfg!(any(target_feature = "sse2", target_feature = "neon", target_feature = "simd128"));
-
-            /// The search's own arithmetic, in its order, four lanes side by side.
-            #[inline]
-            fn may_meet(spheres: [($vec, $f); 4], o: $vec, d: $vec) -> [bool; 4] {
-                spheres.map(|(center, r)| {
-                    let (x, y, z) = (center.x - o.x, center.y - o.y, center.z - o.z);
-                    let b = x * d.x + y * d.y + z * d.z;
-                    let (x, y, z) = (x - d.x * b, y - d.y * b, z - d.z * b);
-                    (x * x + y * y + z * z <= r * r) & (b + r > 0.0)
-                })
             }
             fn power(mantissa: u32, exponent: i16) -> Self {
                 let step: $f = if exponent < 0 { 0.5 } else { 2.0 };

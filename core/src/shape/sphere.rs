@@ -57,28 +57,6 @@ impl<S: Scalar> Sphere<S> {
     }
 }
 
-/// Calls `visit` with each sphere that a ray may meet, in their order, as long as it returns true.
-#[inline]
-pub(crate) fn sweep<'a, S: Scalar>(
-    spheres: &'a [Sphere<S>],
-    ray: &Ray<S>,
-    mut visit: impl FnMut(usize, &'a Sphere<S>) -> bool,
-) -> bool {
-    let (blocks, rest) = spheres.as_chunks::<4>();
-    for (k, block) in blocks.iter().enumerate() {
-        let may = S::may_meet(block.each_ref().map(|s| (s.center, s.radius)), ray.origin, ray.direction);
-        if may == [false; 4] {
-            continue;
-        }
-        for ((i, sphere), may) in block.iter().enumerate().zip(may) {
-            if may && !visit(4 * k + i, sphere) {
-                return false;
-            }
-        }
-    }
-    rest.iter().enumerate().all(|(i, sphere)| visit(4 * blocks.len() + i, sphere))
-}
-
 /// Distance of the nearest hit of a sphere in ]0, `t_max`[.
 #[cfg_attr(not(target_os = "none"), inline)]
 #[cfg_attr(target_os = "none", inline(never))] // rays, shadow rays and lamps share it where flash is short

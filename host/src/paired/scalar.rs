@@ -80,6 +80,12 @@ impl<S: Format> Scalar for Paired<S> {
         let ([low, high], [twin_low, twin_high]) = (format, twin);
         [pair(low, twin_low), pair(high, twin_high)]
     }
+    fn coarse(self) -> f32 {
+        self.format.coarse()
+    }
+    fn coarse_margin(far: f32) -> f32 {
+        S::coarse_margin(far)
+    }
     fn next_up(self) -> Self {
         Self { format: Scalar::next_up(self.format), twin: self.twin.next_up() }
     }
@@ -133,6 +139,9 @@ impl<U: UnitFormat> Unit for Paired<U> {
     fn ratio(numerator: i64, denominator: i64) -> Self {
         Self { format: U::ratio(numerator, denominator), twin: <f64 as Unit>::ratio(numerator, denominator) }
             .noted("ratio", [])
+    }
+    fn coarse(self) -> f32 {
+        self.format.coarse()
     }
     #[track_caller]
     fn times(self, factor: Self) -> Self {

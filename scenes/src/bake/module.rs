@@ -44,7 +44,7 @@ pub(super) fn write<S: Literal>(
         "    ::rta_core::range::Admitted::baked(\n        ::rta_core::scene::Scene {{\n            \
          cylinders: &CYLINDERS,\n            ellipsoids: &ELLIPSOIDS,\n            spheres: &SPHERES,\n            \
          hierarchy: &HIERARCHY,\n            cones: &CONES,\n            triangles: &TRIANGLES,\n            \
-         boxes: ::rta_core::bvh::Bvh {{ nodes: &BOXES, items: &ITEMS, size: {} }},\n            lamps: &LAMPS,",
+         boxes: ::rta_core::bvh::Bvh {{ nodes: &BOXES, items: &ITEMS, size: {} }},\n            lanes: ::rta_core::lanes::Lanes::NONE,\n            lamps: &LAMPS,",
         length(scene.size)
     )?;
     match &scene.floor {

@@ -1,0 +1,173 @@
+//! Builds the hierarchy of machines with lanes.
+
+use rta_core::bvh::{Child, Item, MAX_DEPTH};
+use rta_core::lanes::{Boxes, LARGEST, Lanes, Pack};
+
+use super::bounds::Bounds;
+use super::tree::{Costs, Solid, Tree, four, solids, tree};
+use crate::description::Description;
+use crate::space::{difference, length};
+
+/// So many objects are as quickly tried four by four.
+const FEW: usize = 8;
+const COSTS: Costs = Costs { pair: 0.7, object: 0.3, pack: 1.0, at_once: 4, leaf: 8 };
+
+/// A hierarchy.
+#[derive(Clone, Debug, Default)]
+pub struct Built {
+    /// Nodes of four boxes, the root first.
+    pub nodes: Vec<Boxes>,
+    /// Objects, four by four.
+    pub packs: Vec<Pack>,
+    /// The largest size of a coordinate.
+    pub size: f32,
+}
+
+impl Built {
+    /// The hierarchy, borrowed.
+    #[must_use]
+    pub fn lanes(&self) -> Lanes<'_> {
+        Lanes { nodes: &self.nodes, packs: &self.packs, size: self.size }
+    }
+}
+
+/// A sphere about an object.
+type Ball = ([f64; 3], f64);
+
+/// The hierarchy of a scene; none where a coordinate is too large for one.
+pub(super) fn build(scene: &Description) -> Built {
+    let mut solids = solids(scene);
+    let lamps = scene.lamps.iter().zip(0..).filter(|(lamp, _)| lamp.radius > 0.0);
+    solids.extend(lamps.map(|(lamp, i)| Solid::sphere(lamp.position, lamp.radius, Item::Lamp(i))));
+    let whole = solids.iter().fold(Bounds::NONE, |bounds, solid| bounds.with(&solid.bounds));
+    let mut built = Built::default();
+    if solids.is_empty() || whole.largest() > f64::from(LARGEST) / 4.0 || solids.len() > Child::MAX_ITEMS as usize {
+        return built;
+    }
+    built.size = single(whole.largest());
+    if solids.len() <= FEW {
+        pack(scene, &solids, &mut built);
+        return built;
+    }
+    let tree = tree(&mut solids, 0, 0, &COSTS);
+    if emit(scene, &tree, &solids, true, &mut built) > MAX_DEPTH {
+        built.nodes.clear();
+        built.packs.clear();
+        emit(scene, &tree, &solids, false, &mut built);
+    }
+    built
+}
+
+/// The nearest; the search has a margin for that.
+#[allow(clippy::cast_possible_truncation)] // within the format
+fn single(value: f64) -> f32 {
+    value as f32
+}
+
+fn ball(scene: &Description, item: Item) -> Option<Ball> {
+    let index = |i: u32| i as usize;
+    Some(match item {
+        Item::Sphere(i) => scene.spheres.get(index(i)).map(|s| (s.position, s.radius))?,
+        Item::Lamp(i) => scene.lamps.get(index(i)).map(|l| (l.position, l.radius))?,
+        Item::Ellipsoid(i) => scene
+            .ellipsoids
+            .get(index(i))
+            .map(|e| (e.position, e.radii.iter().fold(0.0f64, |most, &radius| most.max(radius))))?,
+        Item::Cone(i) => {
+            let cone = scene.cones.get(index(i))?;
+            let (way, radius) = (difference(cone.apex, cone.base), cone.base_radius.max(cone.apex_radius));
+            (middle(cone.base, cone.apex), (length(way) / 2.0).hypot(radius))
+        }
+        Item::Triangle(i) => about(scene.triangles.get(index(i))?.vertices),
+    })
+}
+
+fn middle(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    let mut middle = a;
+    for (c, b) in middle.iter_mut().zip(b) {
+        *c = f64::midpoint(*c, b);
+    }
+    middle
+}
+
+/// The smallest sphere about a triangle: about its longest side where the angle opposite is not acute, else through all
+/// three.
+fn about([a, b, c]: [[f64; 3]; 3]) -> Ball {
+    let sides = [(a, b, c), (b, c, a), (c, a, b)].map(|(a, b, c)| (length(difference(b, a)), a, b, c));
+    let longest = sides.iter().max_by(|p, q| p.0.total_cmp(&q.0));
+    let Some(&(side, a, b, c)) = longest else { return (a, 0.0) };
+    let center = middle(a, b);
+    let reach = length(difference(c, center));
+    if reach <= side / 2.0 {
+        return (center, side / 2.0);
+    }
+    // From the middle of the longest side towards the third vertex, where all are equally far: with u along the side and h
+    // across it, the vertex at (x, y): h = (x^2 + y^2 - (side/2)^2) / 2y.
+    let along = difference(b, a).map(|c| c / side);
+    let way = difference(c, center);
+    let x: f64 = way.iter().zip(along).map(|(w, u)| w * u).sum();
+    let mut across = way;
+    for (w, u) in across.iter_mut().zip(along) {
+        *w -= x * u;
+    }
+    let y = length(across);
+    let h = (reach * reach - side * side / 4.0) / (2.0 * y);
+    let mut place = center;
+    for (c, across) in place.iter_mut().zip(across) {
+        *c += across / y * h;
+    }
+    (place, h.hypot(side / 2.0))
+}
+
+/// Appends some objects, and says how many packs they are.
+fn pack(scene: &Description, solids: &[Solid], built: &mut Built) -> usize {
+    for four in solids.chunks(4) {
+        let mut pack = Pack::EMPTY;
+        for (slot, solid) in four.iter().enumerate() {
+            let (Some(item), Some((center, reach))) = (pack.items.get_mut(slot), ball(scene, solid.item)) else { continue };
+            *item = solid.item;
+            pack.radius[slot] = single(reach);
+            for (places, place) in pack.center.iter_mut().zip(center) {
+                places[slot] = single(place);
+            }
+        }
+        built.packs.push(pack);
+    }
+    solids.len().div_ceil(4)
+}
+
+/// Writes a tree as nodes of four, preorder, and says how many levels they have.
+fn emit(scene: &Description, tree: &Tree, solids: &[Solid], by_size: bool, built: &mut Built) -> usize {
+    let children = four(tree, by_size);
+    let number = built.nodes.len();
+    let mut node = Boxes::EMPTY;
+    for (slot, child) in children.iter().enumerate() {
+        let Bounds { low, high } = child.bounds();
+        for ([lows, highs], (&low, &high)) in node.planes.iter_mut().zip(low.iter().zip(high)) {
+            if slot < 4 {
+                (lows[slot], highs[slot]) = (single(low), single(high));
+            }
+        }
+    }
+    built.nodes.push(node);
+    let as_number = |index: usize| u32::try_from(index).unwrap_or(u32::MAX);
+    let mut kinds = [Child::EMPTY; 4];
+    for (kind, child) in kinds.iter_mut().zip(&children) {
+        if let Tree::Leaf(_, first, count) = child {
+            let run = solids.get(*first..first + count).unwrap_or_default();
+            let first = built.packs.len();
+            *kind = Child::leaf(as_number(first), as_number(pack(scene, run, built)));
+        }
+    }
+    let mut depth = 0;
+    for (kind, child) in kinds.iter_mut().zip(&children) {
+        if let Tree::Pair(..) = child {
+            *kind = Child::node(as_number(built.nodes.len()));
+            depth = depth.max(emit(scene, child, solids, by_size, built));
+        }
+    }
+    if let Some(node) = built.nodes.get_mut(number) {
+        node.children = kinds;
+    }
+    depth + 1
+}
