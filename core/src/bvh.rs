@@ -8,6 +8,7 @@
 //! the object, its test and this one can be wrong together.
 
 use core::fmt;
+use core::num::NonZeroU32;
 
 use heapless::Vec;
 
@@ -327,7 +328,7 @@ pub(crate) fn first_wrong(
     (covered != held || index(expected) != nodes).then_some(0)
 }
 
-/// The numbers of the bits that are 1.
+/// The numbers of the bits that are 1, of the lowest four.
 pub(crate) struct Bits(pub(crate) u32);
 
 impl Iterator for Bits {
@@ -335,9 +336,9 @@ impl Iterator for Bits {
 
     #[inline]
     fn next(&mut self) -> Option<usize> {
-        let lowest = self.0.trailing_zeros();
+        let lowest = NonZeroU32::new(self.0)?.trailing_zeros();
         self.0 &= self.0.wrapping_sub(1);
-        (lowest < 4).then(|| index(lowest))
+        Some(index(lowest & 3))
     }
 }
 

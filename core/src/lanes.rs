@@ -69,12 +69,34 @@ pub struct Pack {
     pub radius: Vec4,
     /// What is in them.
     pub items: [Item; 4],
+    /// Where there are cones among them, the number of their [`Rods`]; else [`Pack::NO_RODS`].
+    pub rods: u32,
 }
 
 impl Pack {
+    /// No cones.
+    pub const NO_RODS: u32 = u32::MAX;
     /// No spheres.
-    pub const EMPTY: Self =
-        Self { center: [Vec4::ZERO; 3], radius: Vec4::NEG_INFINITY, items: [Item::Sphere(u32::MAX); 4] };
+    pub const EMPTY: Self = Self {
+        center: [Vec4::ZERO; 3],
+        radius: Vec4::NEG_INFINITY,
+        items: [Item::Sphere(u32::MAX); 4],
+        rods: Self::NO_RODS,
+    };
+}
+
+/// Endless cylinders about the cones of a pack: their axes go through its centres.
+#[derive(Clone, Copy, Debug)]
+pub struct Rods {
+    /// x, y and z of the unit vectors along their axes; of what is no cone, 0.
+    pub axis: [Vec4; 3],
+    /// Radii.
+    pub radius: Vec4,
+}
+
+impl Rods {
+    /// About everything.
+    pub const EMPTY: Self = Self { axis: [Vec4::ZERO; 3], radius: Vec4::ZERO };
 }
 
 /// A hierarchy over all finite objects and all visible lamps; without packs it is none.
@@ -87,18 +109,127 @@ pub struct Lanes<'a> {
     pub nodes: &'a [Boxes],
     /// What the leaves hold: runs of it.
     pub packs: &'a [Pack],
+    /// What the packs name.
+    pub rods: &'a [Rods],
     /// The largest size of a coordinate.
     pub size: f32,
 }
 
-/// A ray in `f32`, each number four times.
-struct Probe {
-    origin: [Vec4; 3],
-    direction: [Vec4; 3],
+impl Lanes<'_> {
+    /// No hierarchy.
+    pub const NONE: Self = Self { nodes: &[], packs: &[], rods: &[], size: 0.0 };
+
+    /// The first node that is wrong; without nodes it is 0 where something is missing. `counts` are the numbers of spheres,
+    /// ellipsoids, cones, triangles and visible lamps, and `lamps` that of all lamps.
+    pub(crate) fn first_wrong(&self, counts: [usize; 5], lamps: usize) -> Option<usize> {
+        if self.packs.is_empty() {
+            return (!self.nodes.is_empty()).then_some(0);
+        }
+        let [spheres, ellipsoids, cones, triangles, _] = counts;
+        let there = |item: &Item| item.is_in([spheres, ellipsoids, cones, triangles, lamps]);
+        let held = self.packs.iter().flat_map(|pack| pack.items).filter(there).count();
+        if held != counts.iter().sum::<usize>() {
+            return Some(0);
+        }
+        if self.nodes.is_empty() {
+            return (self.packs.len() > Child::MAX_COUNT as usize).then_some(0);
+        }
+        first_wrong(|number| Some(self.nodes.get(number)?.children), self.nodes.len(), self.packs.len())
+    }
+}
+
+/// A ray in `f32`.
+struct CoarseRay {
+    origin: Vec4,
+    direction: Vec4,
     margin: f32,
 }
 
-/// The same made ready for many boxes.
+impl CoarseRay {
+    /// Of a ray from so far away that its test could overflow, one that meets everything.
+    #[inline(always)]
+    fn new<S: Scalar>(ray: &Ray<S>, size: f32) -> Self {
+        let (o, d) = (ray.origin, ray.direction);
+        let origin = Vec4::new(o.x().coarse(), o.y().coarse(), o.z().coarse(), size);
+        let direction = Vec4::new(d.x().coarse(), d.y().coarse(), d.z().coarse(), 0.0);
+        let far = origin.abs().max_element();
+        if far <= LARGEST {
+            Self { origin, direction, margin: S::coarse_margin(far) }
+        } else {
+            Self { origin: Vec4::ZERO, direction: Vec4::ZERO, margin: f32::INFINITY }
+        }
+    }
+}
+
+/// Each coordinate four times.
+#[inline(always)]
+fn splat(v: Vec4) -> [Vec4; 3] {
+    [Vec4::splat(v.x), Vec4::splat(v.y), Vec4::splat(v.z)]
+}
+
+/// A ray made ready for many packs, and how far it goes.
+pub(crate) struct Probe<'a> {
+    packs: &'a [Pack],
+    rods: &'a [Rods],
+    ray: CoarseRay,
+    origin: [Vec4; 3],
+    direction: [Vec4; 3],
+    t_max: f32,
+}
+
+impl<'a> Probe<'a> {
+    /// For what is nearer than `t_max`.
+    #[inline(always)]
+    pub(crate) fn new<S: Scalar>(lanes: &Lanes<'a>, ray: &Ray<S>, t_max: S) -> Self {
+        let ray = CoarseRay::new(ray, lanes.size);
+        Self {
+            packs: lanes.packs,
+            rods: lanes.rods,
+            origin: splat(ray.origin),
+            direction: splat(ray.direction),
+            t_max: t_max.coarse() + ray.margin,
+            ray,
+        }
+    }
+
+    /// From now on only what is not farther than `t` is looked for.
+    #[inline(always)]
+    pub(crate) fn shorten<S: Scalar>(&mut self, t: S) {
+        self.t_max = t.coarse() + self.ray.margin;
+    }
+
+    /// A bit for each of a pack's items that the ray may meet ahead and before its end, the lowest for the first.
+    #[inline(always)]
+    pub(crate) fn meet(&self, pack: &Pack) -> Bits {
+        let ([ox, oy, oz], [dx, dy, dz], [cx, cy, cz]) = (self.origin, self.direction, pack.center);
+        let (x, y, z) = (cx - ox, cy - oy, cz - oz);
+        let b = x * dx + y * dy + z * dz;
+        let (x, y, z) = (x - dx * b, y - dy * b, z - dz * b);
+        let r = pack.radius + Vec4::splat(self.ray.margin);
+        let is_across = (x * x + y * y + z * z).cmple(r * r);
+        let is_along = (b + r).cmpgt(Vec4::ZERO) & (b - r).cmplt(Vec4::splat(self.t_max));
+        let mask = (is_across & is_along).bitmask();
+        if mask != 0 && pack.rods != Pack::NO_RODS {
+            let rods = usize::try_from(pack.rods).ok().and_then(|number| self.rods.get(number));
+            return Bits(rods.map_or(mask, |rods| mask & self.meet_rods(pack, rods)));
+        }
+        Bits(mask)
+    }
+
+    /// A bit for each cylinder that the ray meets if it is endless too. The nearest of the two lines is `|s| / |n|`, with `n`
+    /// normal to both; `s` errs by less than the margin, as a foot point does.
+    #[inline]
+    fn meet_rods(&self, pack: &Pack, rods: &Rods) -> u32 {
+        let ([ox, oy, oz], [dx, dy, dz], [cx, cy, cz]) = (self.origin, self.direction, pack.center);
+        let ([ax, ay, az], margin) = (rods.axis, Vec4::splat(self.ray.margin));
+        let (nx, ny, nz) = (dy * az - dz * ay, dz * ax - dx * az, dx * ay - dy * ax);
+        let s = (cx - ox) * nx + (cy - oy) * ny + (cz - oz) * nz;
+        let (s, r) = ((s.abs() - margin).max(Vec4::ZERO), rods.radius + margin);
+        (s * s).cmple(r * r * (nx * nx + ny * ny + nz * nz)).bitmask()
+    }
+}
+
+/// A ray made ready for many boxes.
 struct Slabs {
     /// For x, y and z: from where the way is to the plane that it enters by, and to the one that it leaves by: where it
     /// starts, moved by the margin.
@@ -109,230 +240,106 @@ struct Slabs {
     entry: [usize; 3],
 }
 
-impl Probe {
-    /// Nothing for a ray from so far away that its test could overflow.
-    #[inline(always)]
-    fn new<S: Scalar>(ray: &Ray<S>, size: f32) -> Option<Self> {
-        let (o, d) = (ray.origin, ray.direction);
-        let origin = [o.x(), o.y(), o.z()].map(Scalar::coarse);
-        let far = origin.iter().fold(size, |most, c| if c.abs() > most { c.abs() } else { most });
-        (far <= LARGEST).then(|| Self {
-            origin: origin.map(Vec4::splat),
-            direction: [d.x(), d.y(), d.z()].map(|d| Vec4::splat(d.coarse())),
-            margin: S::coarse_margin(far),
-        })
-    }
-
-    #[inline(always)]
-    fn slabs(&self) -> Slabs {
-        let margin = Vec4::splat(self.margin);
-        // Upwards it enters by the least plane, which is moved down by starting higher.
-        let axis = |o: Vec4, d: Vec4| {
-            let size = if d.x.abs() < LEAST { LEAST } else { d.x.abs() };
-            if d.x < 0.0 {
-                ([o - margin, o + margin], Vec4::splat(-1.0 / size), 1)
-            } else {
-                ([o + margin, o - margin], Vec4::splat(1.0 / size), 0)
-            }
-        };
-        let ([ox, oy, oz], [dx, dy, dz]) = (self.origin, self.direction);
-        let [x, y, z] = [axis(ox, dx), axis(oy, dy), axis(oz, dz)];
-        Slabs { starts: [x.0, y.0, z.0], inverse: [x.1, y.1, z.1], entry: [x.2, y.2, z.2] }
-    }
-
-    /// A bit for each sphere that the ray meets ahead and before `t_max`, the lowest for the first.
-    #[inline(always)]
-    fn meet(&self, pack: &Pack, t_max: f32) -> u32 {
-        let ([ox, oy, oz], [dx, dy, dz], [cx, cy, cz]) = (self.origin, self.direction, pack.center);
-        let (x, y, z) = (cx - ox, cy - oy, cz - oz);
-        let b = x * dx + y * dy + z * dz;
-        let (x, y, z) = (x - dx * b, y - dy * b, z - dz * b);
-        let r = pack.radius + Vec4::splat(self.margin);
-        let is_across = (x * x + y * y + z * z).cmple(r * r);
-        (is_across & (b + r).cmpgt(Vec4::ZERO) & (b - r).cmplt(Vec4::splat(t_max))).bitmask()
-    }
-}
-
-impl Probe {
-    /// Calls `visit` with what the ray may meet of some packs, as [`Lanes::nearest`] does.
-    #[inline(always)]
-    fn visit_nearest<S: Scalar>(
-        &self,
-        packs: &[Pack],
-        t_max: &mut f32,
-        visit: &mut impl FnMut(Item) -> Option<S>,
-    ) {
-        for pack in packs {
-            for k in Bits(self.meet(pack, *t_max)) {
-                if let Some(t) = pack.items.get(k).and_then(|item| visit(*item)) {
-                    *t_max = t.coarse() + self.margin;
-                }
-            }
-        }
-    }
-
-    /// Whether `visit` says yes to all that the ray may meet of some packs.
-    #[inline(always)]
-    fn visit_all(&self, packs: &[Pack], t_max: f32, visit: &mut impl FnMut(Item) -> bool) -> bool {
-        for pack in packs {
-            for k in Bits(self.meet(pack, t_max)) {
-                if !pack.items.get(k).is_none_or(|item| visit(*item)) {
-                    return false;
-                }
-            }
-        }
-        true
-    }
-}
-
 impl Slabs {
+    #[inline(always)]
+    fn new(ray: &CoarseRay) -> Self {
+        let (o, d) = (ray.origin, ray.direction);
+        // Upwards it enters by the least plane, which is moved down by starting higher.
+        let by = Vec4::splat(ray.margin).copysign(d);
+        let inverse = d.abs().max(Vec4::splat(LEAST)).copysign(d).recip();
+        let (start, end, signs) = (o + by, o - by, d.is_negative_bitmask() as usize);
+        let ([ax, ay, az], [bx, by, bz]) = (splat(start), splat(end));
+        Self {
+            starts: [[ax, bx], [ay, by], [az, bz]],
+            inverse: splat(inverse),
+            entry: [signs & 1, signs >> 1 & 1, signs >> 2 & 1],
+        }
+    }
+
     /// Where the ray enters each box, 0 if it starts within; and a bit for each that it enters before `t_max`, the lowest
     /// for the first.
     #[inline(always)]
     #[allow(clippy::indexing_slicing, reason = "every index is below the length")]
-    fn enter(&self, node: &Boxes, t_max: f32) -> (Vec4, u32) {
+    fn enter(&self, node: &Boxes, t_max: f32) -> ([f32; 4], u32) {
         let (mut near, mut far) = (Vec4::ZERO, Vec4::splat(t_max));
         for axis in 0..3 {
             let ([start, end], inverse, entry) = (self.starts[axis], self.inverse[axis], self.entry[axis] & 1);
+            // Where there is no number, the second operand is the result.
             near = ((node.planes[axis][entry] - start) * inverse).max(near);
             far = ((node.planes[axis][entry ^ 1] - end) * inverse).min(far);
         }
-        (near, near.cmple(far).bitmask())
+        (near.to_array(), near.cmple(far).bitmask())
     }
 }
 
-impl Lanes<'_> {
-    /// No hierarchy.
-    pub const NONE: Self = Self { nodes: &[], packs: &[], size: 0.0 };
+/// The way of a ray through the leaves that it may meet something in.
+pub(crate) struct Search<'a, 'w> {
+    pub(crate) probe: Probe<'a>,
+    nodes: &'a [Boxes],
+    slabs: Slabs,
+    /// Not its own, as it would be copied whole.
+    waiting: &'w mut Waiting,
+}
 
-    /// Calls `visit` with the items that the ray may meet nearer than `t_max`, near boxes first. `visit` says how near that is
-    /// which it has met, where it is nearer than what was before.
-    #[inline]
-    pub(crate) fn nearest<S: Scalar>(
-        &self,
-        ray: &Ray<S>,
-        t_max: S,
-        mut visit: impl FnMut(Item) -> Option<S>,
-    ) {
-        let Some(probe) = Probe::new(ray, self.size) else {
-            return self.each(|item| {
-                visit(item);
-                true
-            });
-        };
-        let mut t_max = t_max.coarse() + probe.margin;
-        if self.nodes.is_empty() {
-            return probe.visit_nearest(self.packs, &mut t_max, &mut visit);
-        }
-        let slabs = probe.slabs();
-        let mut waiting = Vec::<(Child, f32), STACK>::new();
-        let mut next = Some(Child::node(0));
+/// The children that wait for their turn, and where the ray enters them.
+pub(crate) type Waiting = Vec<(Child, f32), STACK>;
+
+impl<'a, 'w> Search<'a, 'w> {
+    /// A search from the root on.
+    #[inline(always)]
+    pub(crate) fn new(probe: Probe<'a>, nodes: &'a [Boxes], waiting: &'w mut Waiting) -> Self {
+        let slabs = Slabs::new(&probe.ray);
+        let _ = waiting.push((Child::node(0), 0.0));
+        Self { probe, nodes, slabs, waiting }
+    }
+
+    /// The next leaf, near ones first.
+    #[inline(always)]
+    pub(crate) fn near_leaf(&mut self) -> Option<&'a [Pack]> {
         loop {
+            let (mut child, near) = self.waiting.pop()?;
+            if near > self.probe.t_max {
+                continue;
+            }
             // The nearest child goes on at once.
-            while let Some(child) = next {
-                next = None;
-                let Some(number) = child.number() else {
-                    probe.visit_nearest(self.run(child), &mut t_max, &mut visit);
-                    break;
-                };
-                let Some(node) = self.nodes.get(number) else { return };
-                let (near, mask) = slabs.enter(node, t_max);
-                let near = near.to_array();
-                let mut best = 0.0;
-                for k in Bits(mask) {
+            while let Some(number) = child.number() {
+                let node = self.nodes.get(number)?;
+                let (near, mask) = self.slabs.enter(node, self.probe.t_max);
+                let mut entered = Bits(mask);
+                let first = entered.next().and_then(|k| Some((*node.children.get(k)?, *near.get(k)?)));
+                let Some(mut best) = first else { break };
+                for k in entered {
                     let (Some(&child), Some(&near)) = (node.children.get(k), near.get(k)) else { break };
+                    let later = if near < best.1 { core::mem::replace(&mut best, (child, near)) } else { (child, near) };
                     // There is room: the hierarchy is not deeper than the stack.
-                    match next {
-                        None => (next, best) = (Some(child), near),
-                        Some(before) if near < best => {
-                            let _ = waiting.push((before, best));
-                            (next, best) = (Some(child), near);
-                        }
-                        Some(_) => {
-                            let _ = waiting.push((child, near));
-                        }
-                    }
+                    let _ = self.waiting.push(later);
                 }
+                child = best.0;
             }
-            next = loop {
-                match waiting.pop() {
-                    Some((child, near)) if near <= t_max => break Some(child),
-                    Some(_) => {}
-                    None => return,
-                }
-            };
-        }
-    }
-
-    /// Whether `visit` says yes to all items that the ray may meet nearer than `t_max`, as far as it is asked.
-    #[inline]
-    pub(crate) fn all<S: Scalar>(
-        &self,
-        ray: &Ray<S>,
-        t_max: S,
-        mut visit: impl FnMut(Item) -> bool,
-    ) -> bool {
-        let Some(probe) = Probe::new(ray, self.size) else {
-            let mut all = true;
-            self.each(|item| {
-                all = visit(item);
-                all
-            });
-            return all;
-        };
-        let t_max = t_max.coarse() + probe.margin;
-        if self.nodes.is_empty() {
-            return probe.visit_all(self.packs, t_max, &mut visit);
-        }
-        let slabs = probe.slabs();
-        let mut waiting = Vec::<Child, STACK>::new();
-        let mut next = Some(Child::node(0));
-        while let Some(child) = next {
-            match child.number().and_then(|number| self.nodes.get(number)) {
-                None => {
-                    if !probe.visit_all(self.run(child), t_max, &mut visit) {
-                        return false;
-                    }
-                }
-                Some(node) => {
-                    let (_, mask) = slabs.enter(node, t_max);
-                    for k in Bits(mask) {
-                        if let Some(&child) = node.children.get(k) {
-                            let _ = waiting.push(child);
-                        }
-                    }
-                }
+            if child.number().is_none() {
+                return Some(self.run(child));
             }
-            next = waiting.pop();
         }
-        true
     }
 
-    /// Calls `visit` with all items, as long as it says yes.
-    #[cold]
-    fn each(&self, mut visit: impl FnMut(Item) -> bool) {
-        let _ = self.packs.iter().flat_map(|pack| pack.items).all(&mut visit);
+    /// The next leaf, in any order.
+    #[inline(always)]
+    pub(crate) fn leaf(&mut self) -> Option<&'a [Pack]> {
+        loop {
+            let (child, _) = self.waiting.pop()?;
+            let Some(number) = child.number() else { return Some(self.run(child)) };
+            let node = self.nodes.get(number)?;
+            let (near, mask) = self.slabs.enter(node, self.probe.t_max);
+            for k in Bits(mask) {
+                let (Some(&child), Some(&near)) = (node.children.get(k), near.get(k)) else { break };
+                let _ = self.waiting.push((child, near));
+            }
+        }
     }
 
-    /// The first node that is wrong; without nodes it is 0 where something is missing. `counts` are the numbers of spheres,
-    /// ellipsoids, cones, triangles and visible lamps, and `lamps` that of all lamps.
-    pub(crate) fn first_wrong(&self, counts: [usize; 5], lamps: usize) -> Option<usize> {
-        if self.packs.is_empty() {
-            return (!self.nodes.is_empty()).then_some(0);
-        }
-        let [spheres, ellipsoids, cones, triangles, _] = counts;
-        let there = |item: &Item| item.is_in([spheres, ellipsoids, cones, triangles, lamps]);
-        if self.packs.iter().flat_map(|pack| pack.items).filter(there).count() != counts.iter().sum::<usize>() {
-            return Some(0);
-        }
-        if self.nodes.is_empty() {
-            return None;
-        }
-        first_wrong(|number| Some(self.nodes.get(number)?.children), self.nodes.len(), self.packs.len())
-    }
-
-    fn run(&self, child: Child) -> &[Pack] {
+    #[inline(always)]
+    fn run(&self, child: Child) -> &'a [Pack] {
         let (first, count) = child.run();
-        self.packs.get(first..first + count).unwrap_or(&[])
+        self.probe.packs.get(first..first + count).unwrap_or(&[])
     }
 }

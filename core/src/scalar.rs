@@ -106,7 +106,7 @@ pub trait Scalar:
     /// above `far`: more than the object in it, its own test and that in `f32` can be wrong together.
     fn coarse_margin(far: f32) -> f32;
 
-    /// The next larger length, or the same where there is none.
+    /// The next larger length of one that is 0 or more and finite; the same where there is none.
     fn next_up(self) -> Self;
 
     /// The extent that [`LengthVector::clearance`] is to be told of an ellipsoid of the extent `self` whose smallest radius

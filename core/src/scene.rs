@@ -6,7 +6,7 @@ use crate::bvh::{Bvh, Item};
 use crate::color::Rgb;
 use crate::hierarchy::{Node, Walk};
 use crate::illumination::Surface;
-use crate::lanes::{LANES, Lanes};
+use crate::lanes::{LANES, Lanes, Pack, Probe, Search, Waiting};
 use crate::light::Lamp;
 use crate::material::Material;
 use crate::needs::Needs;
@@ -115,6 +115,25 @@ pub struct Hit<S> {
     pub object: Object,
 }
 
+/// The nearest hit so far, of objects that come in any order.
+struct Best<S> {
+    hit: Option<Hit<S>>,
+    /// What is as near as that hit is looked at too.
+    limit: S,
+}
+
+impl<S: Scalar> Best<S> {
+    /// Takes a hit below the limit that is nearer, or comes before it in order: its distance.
+    #[inline(always)]
+    fn offer(&mut self, found: Hit<S>) -> Option<S> {
+        if self.hit.is_some_and(|hit| found.distance >= hit.distance && found.object >= hit.object) {
+            return None;
+        }
+        *self = Self { hit: Some(found), limit: found.distance.next_up() };
+        Some(found.distance)
+    }
+}
+
 impl<S: Scalar> Scene<'_, S> {
     /// An empty plain under a blue sky, by day.
     pub fn day() -> Self {
@@ -156,7 +175,7 @@ impl<S: Scalar> Scene<'_, S> {
     }
 
     /// Where a ray meets an item nearer than `t_max`.
-    #[inline]
+    #[inline(always)]
     fn meet<N: Needs>(&self, item: Item, ray: &Ray<S>, t_max: S) -> Option<Hit<S>> {
         match item {
             Item::Sphere(i) if N::SPHERES => {
@@ -189,6 +208,32 @@ impl<S: Scalar> Scene<'_, S> {
             _ => return None,
         };
         Some(Hit { distance, object })
+    }
+
+    /// Whether a ray meets an item nearer than `t_max`; a lamp is not in its way.
+    #[inline(always)]
+    fn is_met<N: Needs>(&self, item: Item, ray: &Ray<S>, t_max: S) -> bool {
+        match item {
+            Item::Sphere(i) if N::SPHERES => {
+                let i = usize::try_from(i).unwrap_or(usize::MAX);
+                self.spheres.get(i).is_some_and(|sphere| sphere.intersect(ray, t_max).is_some())
+            }
+            Item::Lamp(_) => false,
+            _ => self.meet_other::<N>(item, ray, t_max).is_some(),
+        }
+    }
+
+    /// The material of an item; a lamp has none.
+    #[inline(never)] // so that a ray which meets nothing does not prepare for it
+    fn item_material(&self, item: Item) -> Option<&Material<S>> {
+        let index = |number: u32| usize::try_from(number).unwrap_or(usize::MAX);
+        self.material(match item {
+            Item::Sphere(i) => Object::Sphere(index(i)),
+            Item::Ellipsoid(i) => Object::Ellipsoid(index(i)),
+            Item::Cone(i) => Object::Cone(index(i)),
+            Item::Triangle(i) => Object::Triangle(index(i)),
+            Item::Lamp(i) => Object::Lamp(index(i)),
+        })
     }
 
     /// The material of what was hit; a lamp has none, and the floor is opaque.
@@ -224,24 +269,13 @@ impl<S: Scalar> Scene<'_, S> {
                 found(cylinder.intersect(ray, t_max, lid), Object::Cylinder(i), &mut t_max);
             }
         }
-        if self.is_laned::<N>() || self.is_boxed::<N>() {
-            // What is as near as the best so far is looked at too: the objects come in any order.
-            let (mut hit, mut limit) = (hit, t_max.next_up());
-            let visit = |item| {
-                let found = self.meet::<N>(item, ray, limit)?;
-                if hit.is_some_and(|hit: Hit<S>| found.distance >= hit.distance && found.object >= hit.object) {
-                    return None;
-                }
-                limit = found.distance.next_up();
-                hit = Some(found);
-                Some(found.distance)
-            };
-            if self.is_laned::<N>() {
-                self.lanes.nearest(ray, t_max, visit);
-                return hit;
-            }
-            self.boxes.nearest(ray, &mut t_max, visit);
-            return self.nearest_lamp::<N>(ray, t_max).or(hit);
+        if self.is_laned::<N>() {
+            return self.nearest_laned::<N>(ray, hit, t_max);
+        }
+        if self.is_boxed::<N>() {
+            let mut best = Best { hit, limit: t_max.next_up() };
+            self.boxes.nearest(ray, &mut t_max, |item| best.offer(self.meet::<N>(item, ray, best.limit)?));
+            return self.nearest_lamp::<N>(ray, t_max).or(best.hit);
         }
         if N::ELLIPSOIDS {
             for (i, ellipsoid) in self.ellipsoids.iter().enumerate() {
@@ -267,6 +301,36 @@ impl<S: Scalar> Scene<'_, S> {
         self.nearest_lamp::<N>(ray, t_max).or(hit)
     }
 
+    /// The nearest hit with what lanes hold, where a ray meets nothing else but `hit` before `t_max`.
+    #[inline(always)]
+    fn nearest_laned<N: Needs>(&self, ray: &Ray<S>, hit: Option<Hit<S>>, t_max: S) -> Option<Hit<S>> {
+        let mut best = Best { hit, limit: t_max.next_up() };
+        let mut probe = Probe::new(&self.lanes, ray, t_max);
+        if self.lanes.nodes.is_empty() {
+            self.nearest_of::<N>(self.lanes.packs, ray, &mut probe, &mut best);
+        } else {
+            let mut waiting = Waiting::new();
+            let mut search = Search::new(probe, self.lanes.nodes, &mut waiting);
+            while let Some(packs) = search.near_leaf() {
+                self.nearest_of::<N>(packs, ray, &mut search.probe, &mut best);
+            }
+        }
+        best.hit
+    }
+
+    /// The nearest hit with some packs.
+    #[inline(always)]
+    fn nearest_of<N: Needs>(&self, packs: &[Pack], ray: &Ray<S>, probe: &mut Probe, best: &mut Best<S>) {
+        for pack in packs {
+            for k in probe.meet(pack) {
+                let found = pack.items.get(k).and_then(|&item| self.meet::<N>(item, ray, best.limit));
+                if let Some(distance) = found.and_then(|found| best.offer(found)) {
+                    probe.shorten(distance);
+                }
+            }
+        }
+    }
+
     /// The nearest lamp that a ray meets before `t_max`.
     fn nearest_lamp<N: Needs>(&self, ray: &Ray<S>, mut t_max: S) -> Option<Hit<S>> {
         let mut hit = None;
@@ -281,6 +345,29 @@ impl<S: Scalar> Scene<'_, S> {
             }
         }
         hit
+    }
+
+    /// Whether `shade` lets light through what a ray meets of some packs.
+    #[inline(always)]
+    fn is_open<N: Needs>(
+        &self,
+        packs: &[Pack],
+        ray: &Ray<S>,
+        t_max: S,
+        probe: &Probe,
+        shade: &mut impl FnMut(&Material<S>) -> bool,
+    ) -> bool {
+        for pack in packs {
+            for k in probe.meet(pack) {
+                if let Some(&item) = pack.items.get(k)
+                    && self.is_met::<N>(item, ray, t_max)
+                    && !self.item_material(item).is_none_or(&mut *shade)
+                {
+                    return false;
+                }
+            }
+        }
+        true
     }
 
     /// What part of a lamp's light comes through from `t_max` along a shadow ray: 0 behind anything that is not
@@ -299,19 +386,26 @@ impl<S: Scalar> Scene<'_, S> {
                 false
             }
         };
-        if self.is_laned::<N>() || self.is_boxed::<N>() {
-            let open = |item| {
-                if LANES && matches!(item, Item::Lamp(_)) {
-                    return true;
+        if self.is_laned::<N>() {
+            let probe = Probe::new(&self.lanes, ray, t_max);
+            if self.lanes.nodes.is_empty() {
+                if !self.is_open::<N>(self.lanes.packs, ray, t_max, &probe, &mut shade) {
+                    return S::Unit::ZERO;
                 }
+            } else {
+                let mut waiting = Waiting::new();
+                let mut search = Search::new(probe, self.lanes.nodes, &mut waiting);
+                while let Some(packs) = search.leaf() {
+                    if !self.is_open::<N>(packs, ray, t_max, &search.probe, &mut shade) {
+                        return S::Unit::ZERO;
+                    }
+                }
+            }
+        } else if self.is_boxed::<N>() {
+            let is_open = self.boxes.all(ray, t_max, |item| {
                 let hit = self.meet::<N>(item, ray, t_max);
                 hit.and_then(|hit| self.material(hit.object)).is_none_or(&mut shade)
-            };
-            let is_open = if self.is_laned::<N>() {
-                self.lanes.all(ray, t_max, open)
-            } else {
-                self.boxes.all(ray, t_max, open)
-            };
+            });
             if !is_open {
                 return S::Unit::ZERO;
             }

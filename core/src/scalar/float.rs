@@ -148,8 +148,9 @@ macro_rules! float {
             fn coarse_margin(far: f32) -> f32 {
                 lanes::margin(far, far * (64.0 * <$f>::EPSILON) as f32)
             }
+            #[inline]
             fn next_up(self) -> Self {
-                <$f>::next_up(self)
+                Self::from_bits(self.to_bits() + 1)
             }
             #[cfg_attr(target_os = "none", inline(never))] // four places ask
             #[allow(clippy::cast_possible_truncation, clippy::cast_precision_loss)] // within its digits

@@ -43,6 +43,12 @@ impl<S: Scalar> Triangle<S> {
     #[inline]
     fn meet(&self, ray: &Ray<S>, t_max: S) -> Option<(S, Vec3<S>)> {
         let displacement = self.corner - ray.origin;
+        // A ray that leads away from the plane, as most do that begin on it.
+        let (height, cosine) = (displacement.dot(self.normal), self.normal.dot(ray.direction));
+        let is_ahead = if cosine > S::Unit::ZERO { height > S::ZERO } else { height < S::ZERO };
+        if !is_ahead {
+            return None;
+        }
         let b = displacement.dot(ray.direction);
         if b + self.extent <= S::ZERO || b - self.extent >= t_max {
             return None;
@@ -55,7 +61,7 @@ impl<S: Scalar> Triangle<S> {
             return None;
         }
         // From beside the corner along the ray to the plane.
-        let (height, cosine) = (foot.dot(self.normal), self.normal.dot(ray.direction));
+        let height = foot.dot(self.normal);
         let (rise, is_ahead) = (if height < S::ZERO { -height } else { height }, height > S::ZERO);
         let way = if cosine > S::Unit::ZERO {
             let way = rise.over(cosine);

@@ -1,7 +1,7 @@
 //! Builds the hierarchy of machines with lanes.
 
 use rta_core::bvh::{Child, Item, MAX_DEPTH};
-use rta_core::lanes::{Boxes, LARGEST, Lanes, Pack};
+use rta_core::lanes::{Boxes, LARGEST, Lanes, Pack, Rods};
 
 use super::bounds::Bounds;
 use super::tree::{Costs, Solid, Tree, four, solids, tree};
@@ -19,6 +19,8 @@ pub struct Built {
     pub nodes: Vec<Boxes>,
     /// Objects, four by four.
     pub packs: Vec<Pack>,
+    /// Cylinders about the cones among them.
+    pub rods: Vec<Rods>,
     /// The largest size of a coordinate.
     pub size: f32,
 }
@@ -27,7 +29,7 @@ impl Built {
     /// The hierarchy, borrowed.
     #[must_use]
     pub fn lanes(&self) -> Lanes<'_> {
-        Lanes { nodes: &self.nodes, packs: &self.packs, size: self.size }
+        Lanes { nodes: &self.nodes, packs: &self.packs, rods: &self.rods, size: self.size }
     }
 }
 
@@ -53,6 +55,7 @@ pub(super) fn build(scene: &Description) -> Built {
     if emit(scene, &tree, &solids, true, &mut built) > MAX_DEPTH {
         built.nodes.clear();
         built.packs.clear();
+        built.rods.clear();
         emit(scene, &tree, &solids, false, &mut built);
     }
     built
@@ -80,6 +83,15 @@ fn ball(scene: &Description, item: Item) -> Option<Ball> {
         }
         Item::Triangle(i) => about(scene.triangles.get(index(i))?.vertices),
     })
+}
+
+/// The axis and the largest radius of a cone.
+fn rod(scene: &Description, item: Item) -> Option<([f64; 3], f64)> {
+    let Item::Cone(i) = item else { return None };
+    let cone = scene.cones.get(i as usize)?;
+    let way = difference(cone.apex, cone.base);
+    let length = length(way);
+    Some((way.map(|c| c / length), cone.base_radius.max(cone.apex_radius)))
 }
 
 fn middle(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
@@ -122,14 +134,25 @@ fn about([a, b, c]: [[f64; 3]; 3]) -> Ball {
 /// Appends some objects, and says how many packs they are.
 fn pack(scene: &Description, solids: &[Solid], built: &mut Built) -> usize {
     for four in solids.chunks(4) {
-        let mut pack = Pack::EMPTY;
+        let (mut pack, mut rods) = (Pack::EMPTY, Rods::EMPTY);
         for (slot, solid) in four.iter().enumerate() {
-            let (Some(item), Some((center, reach))) = (pack.items.get_mut(slot), ball(scene, solid.item)) else { continue };
+            let item = pack.items.get_mut(slot);
+            let (Some(item), Some((center, reach))) = (item, ball(scene, solid.item)) else { continue };
             *item = solid.item;
             pack.radius[slot] = single(reach);
             for (places, place) in pack.center.iter_mut().zip(center) {
                 places[slot] = single(place);
             }
+            if let Some((axis, radius)) = rod(scene, solid.item) {
+                rods.radius[slot] = single(radius);
+                for (axes, axis) in rods.axis.iter_mut().zip(axis) {
+                    axes[slot] = single(axis);
+                }
+                pack.rods = u32::try_from(built.rods.len()).unwrap_or(Pack::NO_RODS);
+            }
+        }
+        if pack.rods != Pack::NO_RODS {
+            built.rods.push(rods);
         }
         built.packs.push(pack);
     }
