@@ -198,22 +198,22 @@ impl<'a> Probe<'a> {
         self.t_max = t.coarse() + self.ray.margin;
     }
 
-    /// A bit for each of a pack's items that the ray may meet ahead and before its end, the lowest for the first.
+    /// Which of a pack's items the ray may meet ahead and before its end.
     #[inline(always)]
-    pub(crate) fn meet(&self, pack: &Pack) -> Bits {
+    pub(crate) fn meet(&self, pack: &Pack) -> Met {
         let ([ox, oy, oz], [dx, dy, dz], [cx, cy, cz]) = (self.origin, self.direction, pack.center);
         let (x, y, z) = (cx - ox, cy - oy, cz - oz);
         let b = x * dx + y * dy + z * dz;
         let (x, y, z) = (x - dx * b, y - dy * b, z - dz * b);
+        let across = x * x + y * y + z * z;
         let r = pack.radius + Vec4::splat(self.ray.margin);
-        let is_across = (x * x + y * y + z * z).cmple(r * r);
         let is_along = (b + r).cmpgt(Vec4::ZERO) & (b - r).cmplt(Vec4::splat(self.t_max));
-        let mask = (is_across & is_along).bitmask();
+        let mut mask = (across.cmple(r * r) & is_along).bitmask();
         if mask != 0 && pack.rods != Pack::NO_RODS {
             let rods = usize::try_from(pack.rods).ok().and_then(|number| self.rods.get(number));
-            return Bits(rods.map_or(mask, |rods| mask & self.meet_rods(pack, rods)));
+            mask &= rods.map_or(mask, |rods| self.meet_rods(pack, rods));
         }
-        Bits(mask)
+        Met { mask, along: b, across }
     }
 
     /// A bit for each cylinder that the ray meets if it is endless too. The nearest of the two lines is `|s| / |n|`, with `n`
@@ -226,6 +226,31 @@ impl<'a> Probe<'a> {
         let s = (cx - ox) * nx + (cy - oy) * ny + (cz - oz) * nz;
         let (s, r) = ((s.abs() - margin).max(Vec4::ZERO), rods.radius + margin);
         (s * s).cmple(r * r * (nx * nx + ny * ny + nz * nz)).bitmask()
+    }
+}
+
+/// What a ray may meet of a pack.
+pub(crate) struct Met {
+    mask: u32,
+    /// Distance of the foot point of each centre.
+    along: Vec4,
+    /// The square of how far the foot point is from the centre.
+    across: Vec4,
+}
+
+impl Met {
+    /// The numbers of the items, 0 to 3.
+    #[inline(always)]
+    pub(crate) fn items(&self) -> Bits {
+        Bits(self.mask)
+    }
+
+    /// The distance of a hit nearer than `t_max`, if item `k` of the pack is a sphere. Nothing in a format that has to look for
+    /// itself.
+    #[inline(always)]
+    pub(crate) fn sphere<S: Scalar>(&self, pack: &Pack, k: usize, t_max: S) -> Option<Option<S>> {
+        let lane = |four: &Vec4| four.as_ref().get(k).copied();
+        S::of_lane(lane(&self.along)?, lane(&self.across)?, lane(&pack.radius)?, t_max)
     }
 }
 

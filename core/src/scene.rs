@@ -6,7 +6,7 @@ use crate::bvh::{Bvh, Item};
 use crate::color::Rgb;
 use crate::hierarchy::{Node, Walk};
 use crate::illumination::Surface;
-use crate::lanes::{LANES, Lanes, Pack, Probe, Search, Waiting};
+use crate::lanes::{LANES, Lanes, Met, Pack, Probe, Search, Waiting};
 use crate::light::Lamp;
 use crate::material::Material;
 use crate::needs::Needs;
@@ -210,16 +210,25 @@ impl<S: Scalar> Scene<'_, S> {
         Some(Hit { distance, object })
     }
 
-    /// Whether a ray meets an item nearer than `t_max`; a lamp is not in its way.
+    /// Where a ray meets item `k` of a pack nearer than `t_max`.
     #[inline(always)]
-    fn is_met<N: Needs>(&self, item: Item, ray: &Ray<S>, t_max: S) -> bool {
-        match item {
-            Item::Sphere(i) if N::SPHERES => {
-                let i = usize::try_from(i).unwrap_or(usize::MAX);
-                self.spheres.get(i).is_some_and(|sphere| sphere.intersect(ray, t_max).is_some())
-            }
-            Item::Lamp(_) => false,
-            _ => self.meet_other::<N>(item, ray, t_max).is_some(),
+    fn meet_lane<N: Needs>(
+        &self,
+        pack: &Pack,
+        met: &Met,
+        k: usize,
+        ray: &Ray<S>,
+        t_max: S,
+    ) -> Option<Hit<S>> {
+        let &item = pack.items.get(k)?;
+        let object = match item {
+            Item::Sphere(i) if N::SPHERES => Object::Sphere(usize::try_from(i).unwrap_or(usize::MAX)),
+            Item::Lamp(i) if N::VISIBLE_LAMPS => Object::Lamp(usize::try_from(i).unwrap_or(usize::MAX)),
+            _ => return self.meet_other::<N>(item, ray, t_max),
+        };
+        match met.sphere(pack, k, t_max) {
+            Some(distance) => Some(Hit { distance: distance?, object }),
+            None => self.meet::<N>(item, ray, t_max),
         }
     }
 
@@ -322,8 +331,9 @@ impl<S: Scalar> Scene<'_, S> {
     #[inline(always)]
     fn nearest_of<N: Needs>(&self, packs: &[Pack], ray: &Ray<S>, probe: &mut Probe, best: &mut Best<S>) {
         for pack in packs {
-            for k in probe.meet(pack) {
-                let found = pack.items.get(k).and_then(|&item| self.meet::<N>(item, ray, best.limit));
+            let met = probe.meet(pack);
+            for k in met.items() {
+                let found = self.meet_lane::<N>(pack, &met, k, ray, best.limit);
                 if let Some(distance) = found.and_then(|found| best.offer(found)) {
                     probe.shorten(distance);
                 }
@@ -358,9 +368,11 @@ impl<S: Scalar> Scene<'_, S> {
         shade: &mut impl FnMut(&Material<S>) -> bool,
     ) -> bool {
         for pack in packs {
-            for k in probe.meet(pack) {
+            let met = probe.meet(pack);
+            for k in met.items() {
                 if let Some(&item) = pack.items.get(k)
-                    && self.is_met::<N>(item, ray, t_max)
+                    && !matches!(item, Item::Lamp(_))
+                    && self.meet_lane::<N>(pack, &met, k, ray, t_max).is_some()
                     && !self.item_material(item).is_none_or(&mut *shade)
                 {
                     return false;

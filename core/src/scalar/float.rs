@@ -5,10 +5,11 @@
 use super::{Light, Scalar, Unit};
 use crate::lanes;
 use crate::range::Magnitude;
+use crate::shape::sphere;
 use crate::vector::{LengthVector, Plan, UnitVector, Vector};
 
 macro_rules! float {
-    ($f:ty, $vec:ty, $sqrt:path, $int:ident, $far:expr, $size:path) => {
+    ($f:ty, $vec:ty, $sqrt:path, $int:ident, $far:expr, $size:path, { $($own:item)* }) => {
         impl Unit for $f {
             type Inverse = $f;
             const ZERO: Self = 0.0;
@@ -148,6 +149,7 @@ macro_rules! float {
             fn coarse_margin(far: f32) -> f32 {
                 lanes::margin(far, far * (64.0 * <$f>::EPSILON) as f32)
             }
+            $($own)*
             #[inline]
             fn next_up(self) -> Self {
                 Self::from_bits(self.to_bits() + 1)
@@ -282,9 +284,15 @@ macro_rules! float {
     };
 }
 
-float!(f32, glam::Vec3, libm::sqrtf, i32, 1e18, size32);
+float!(f32, glam::Vec3, libm::sqrtf, i32, 1e18, size32, {
+    /// The lanes have done the search's own arithmetic, in its order.
+    #[inline]
+    fn of_lane(along: f32, across: f32, radius: f32, t_max: f32) -> Option<Option<f32>> {
+        Some(sphere::within(along, across, radius, t_max))
+    }
+});
 #[cfg(feature = "f64")]
-float!(f64, glam::DVec3, libm::sqrt, i64, 1e150, size64);
+float!(f64, glam::DVec3, libm::sqrt, i64, 1e150, size64, {});
 
 /// The size of a number, from its bits (IEEE 754); of one that is not finite, larger than any other.
 const fn size32(value: f32) -> Magnitude {

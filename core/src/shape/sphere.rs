@@ -67,6 +67,12 @@ pub(crate) fn intersect<S: Scalar>(center: Vec3<S>, radius: S, ray: &Ray<S>, t_m
         return None;
     }
     let across = displacement.reject(ray.direction, b).norm_squared();
+    within(b, across, radius, t_max)
+}
+
+/// The same from the distance `b` of the foot point, and the square of how far that is from the centre.
+#[cfg_attr(not(target_os = "none"), inline)]
+pub(crate) fn within<S: Scalar>(b: S, across: S::Wide, radius: S, t_max: S) -> Option<S> {
     let square = radius.square();
     if across > square {
         return None;
