@@ -46,6 +46,7 @@ pub(crate) fn margin(far: f32, own: f32) -> f32 {
 
 /// A node: four boxes.
 #[derive(Clone, Copy, Debug)]
+#[repr(align(64))]
 pub struct Boxes {
     /// For x, y and z: the least of each box, and the greatest. Where there is no child, the least is infinite and the
     /// greatest its negative.
@@ -62,6 +63,7 @@ impl Boxes {
 
 /// Four bounding spheres.
 #[derive(Clone, Copy, Debug)]
+#[repr(align(64))]
 pub struct Pack {
     /// x, y and z of their centres.
     pub center: [Vec4; 3],
