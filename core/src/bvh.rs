@@ -22,7 +22,7 @@ pub const MAX_DEPTH: usize = 21;
 const STACK: usize = 3 * MAX_DEPTH + 1;
 
 /// A finite object: which, in the list of its kind.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Item {
     /// A sphere.
     Sphere(u32),
@@ -135,7 +135,7 @@ pub struct Slabs<S: Scalar> {
     /// For x, y and z: from where the way is to the plane that it enters by, and to the one that it leaves by: where it
     /// starts, moved by the margin.
     pub starts: [[S; 2]; 3],
-    /// The reciprocals of its direction.
+    /// The reciprocals of its direction's size.
     pub inverse: [<S::Unit as Unit>::Inverse; 3],
     /// Which plane it enters by: 0 is the least.
     pub entry: [usize; 3],
@@ -282,6 +282,9 @@ impl<'a, S: Scalar> Bvh<'a, S> {
 }
 
 impl Item {
+    /// No object.
+    pub(crate) const NONE: Self = Self::Lamp(u32::MAX);
+
     /// Whether there is such a thing among so many spheres, ellipsoids, cones, triangles and lamps.
     pub(crate) fn is_in(self, [spheres, ellipsoids, cones, triangles, lamps]: [usize; 5]) -> bool {
         match self {

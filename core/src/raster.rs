@@ -9,6 +9,7 @@ use crate::error::Error;
 use crate::illumination::Illumination;
 use crate::needs::Needs;
 use crate::scalar::{Scalar, Unit};
+use crate::scene::Occluders;
 use crate::trace::Tracer;
 
 /// Width and height in pixels, each 1 to 65535.
@@ -61,6 +62,7 @@ pub struct Pixels<'a, S: Scalar, M, N, const STACK: usize> {
     end: u32,
     /// Where the rows lie: of row `y`.
     height: S::Unit,
+    occluders: Occluders,
 }
 
 impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize> Pixels<'a, S, M, N, STACK> {
@@ -88,7 +90,8 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize> Pixels<'a,
         end: u32,
     ) -> Self {
         let height = Raster::center(first.min(raster.height), raster.height);
-        Self { tracer, camera, raster, x: 0, y: first, end: end.min(raster.height), height }
+        let (end, occluders) = (end.min(raster.height), Occluders::new());
+        Self { tracer, camera, raster, x: 0, y: first, end, height, occluders }
     }
 }
 
@@ -100,7 +103,8 @@ impl<S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize> Iterator for P
             return None;
         }
         let x = Raster::center(self.x, self.raster.width);
-        let light = self.tracer.primary(self.camera, self.camera.direction(x, -self.height));
+        let direction = self.camera.direction(x, -self.height);
+        let light = self.tracer.primary_after(self.camera, direction, &mut self.occluders);
         self.x += 1;
         if self.x == self.raster.width {
             self.x = 0;

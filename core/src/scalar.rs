@@ -176,7 +176,7 @@ pub trait Unit:
     fn discriminant(b: Self, a: Self, c: Self) -> Option<Self>;
     /// `self / divisor`; in fixed point it saturates at 2, in float it may be infinite or no number.
     fn quotient(self, divisor: Self) -> Self;
-    /// The reciprocal, in fixed point of the number's size; of 0 as large as the format has it, and above 0.
+    /// The reciprocal of the number's size; of 0 as large as the format has it.
     fn reciprocal(self) -> Self::Inverse;
     /// The nearest `f32`.
     fn coarse(self) -> f32;

@@ -15,7 +15,7 @@ use crate::needs::Needs;
 use crate::range::Admitted;
 use crate::ray::Ray;
 use crate::scalar::{Light, Scalar, Unit};
-use crate::scene::Seen;
+use crate::scene::{Occluders, Seen};
 use crate::vector::{LengthVector, UnitVec3, UnitVector, Vec3};
 
 /// Draws a scene with an illumination model.
@@ -78,11 +78,31 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize> Tracer<'a,
         self.radiance(camera.eye, direction)
     }
 
+    /// The same of one pixel after another.
+    #[inline]
+    pub(crate) fn primary_after(
+        &self,
+        camera: &Camera<S>,
+        direction: UnitVec3<S>,
+        occluders: &mut Occluders,
+    ) -> Rgb<S::Light> {
+        self.radiance_after(camera.eye, direction, occluders)
+    }
+
     /// The light that arrives at `origin` against `direction`, from all of the ray tree.
     pub fn radiance(&self, origin: Vec3<S>, direction: UnitVec3<S>) -> Rgb<S::Light> {
+        self.radiance_after(origin, direction, &mut Occluders::new())
+    }
+
+    fn radiance_after(
+        &self,
+        origin: Vec3<S>,
+        direction: UnitVec3<S>,
+        occluders: &mut Occluders,
+    ) -> Rgb<S::Light> {
         if !N::MIRROR {
             self.model.note(RayKind::Primary);
-            return self.local(&self.scene.ray::<N>(origin, direction)).0;
+            return self.local(&self.scene.ray::<N>(origin, direction), occluders).0;
         }
         let mut pending = Stack::<S, M::Weight, STACK>::new();
         let mut light = Rgb::BLACK;
@@ -91,7 +111,7 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize> Tracer<'a,
         while let Some(current) = next {
             self.model.note(current.kind);
             let ray = self.scene.ray::<N>(current.origin, current.direction);
-            let (own, seen) = self.local(&ray);
+            let (own, seen) = self.local(&ray, occluders);
             light = light.plus(current.weight.filter(own));
             next = match seen {
                 Some((surface, extent)) if current.depth < self.depth => {
@@ -106,7 +126,11 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize> Tracer<'a,
 
     /// What one ray brings of its own, and the surface that it has met with the size of its object.
     #[allow(clippy::type_complexity)] // light, and perhaps a surface with a size
-    fn local(&self, ray: &Ray<S>) -> (Rgb<S::Light>, Option<(Surface<'_, S>, S)>) {
+    fn local(
+        &self,
+        ray: &Ray<S>,
+        occluders: &mut Occluders,
+    ) -> (Rgb<S::Light>, Option<(Surface<'_, S>, S)>) {
         let (surface, extent) = match self.scene.look::<N>(ray, &self.scene.limits()) {
             Seen::Light(light) => {
                 self.model.note_light(light);
@@ -117,17 +141,24 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize> Tracer<'a,
         let mut light = self.model.ambient::<N>(&surface, self.scene.ambient);
         if N::LAMPS && self.model.is_lit::<N>(&surface) {
             let lamps = if N::SEVERAL_LAMPS { self.scene.lamps.len() } else { 1 };
-            for lamp in self.scene.lamps.iter().take(lamps) {
+            for (number, lamp) in self.scene.lamps.iter().take(lamps).enumerate() {
                 if let Some(incident) = Incident::new(lamp, surface.point, surface.normal) {
-                    light = light.plus(self.direct(&surface, &incident, extent));
+                    light = light.plus(self.direct(&surface, &incident, extent, number, occluders));
                 }
             }
         }
         (light, Some((surface, extent)))
     }
 
-    /// What the surface sends back of one lamp.
-    fn direct(&self, surface: &Surface<S>, incident: &Incident<S>, extent: S) -> Rgb<S::Light> {
+    /// What the surface sends back of one lamp, by its number.
+    fn direct(
+        &self,
+        surface: &Surface<S>,
+        incident: &Incident<S>,
+        extent: S,
+        lamp: usize,
+        occluders: &mut Occluders,
+    ) -> Rgb<S::Light> {
         let behind = incident.cosine <= S::Unit::ZERO;
         if behind && !M::BOTH_SIDES {
             return Rgb::BLACK;
@@ -140,7 +171,8 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize> Tracer<'a,
         let (origin, used) = surface.point.leave(side, incident.direction, extent);
         self.model.note(RayKind::Shadow);
         let shadow = self.scene.ray::<N>(origin, incident.direction);
-        let part = self.scene.transmittance::<N>(&shadow, incident.distance - used, self.scene.limits().lid);
+        let (t_max, lid) = (incident.distance - used, self.scene.limits().lid);
+        let part = self.scene.transmittance_after::<N>(&shadow, t_max, lid, lamp, occluders);
         self.model.note_shadow(part);
         if part == S::Unit::ONE { light } else { light.map(|register| register.times(part)) }
     }

@@ -42,6 +42,12 @@ impl Exact {
         Self { scene, raster: Raster::new(width, height).expect("a raster") }
     }
 
+    /// The same scene, searched as firmware does it.
+    #[must_use]
+    pub fn without_lanes(&self, scene: &Description) -> Self {
+        Self { scene: self.scene.clone().without_lanes(scene), raster: self.raster }
+    }
+
     /// The scene in its format.
     #[must_use]
     pub const fn scene(&self) -> &Narrowed<Q16> {

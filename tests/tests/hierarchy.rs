@@ -5,9 +5,11 @@
 use fastrand::Rng;
 use rta_core::hierarchy::Node;
 use rta_core::illumination::Rta;
+use rta_core::lanes::LANES;
 use rta_core::needs::{Everything, Needs};
 use rta_core::range::RangeError;
 use rta_core::ray::Ray;
+use rta_core::scalar::Unit;
 use rta_core::vector::{UnitVec3, UnitVector, Vector};
 use rta_core::{Q16, Q20};
 use rta_scenes::description::{Cone, Description, Ellipsoid, Sphere, Surface, Triangle};
@@ -35,7 +37,11 @@ fn cloud(count: usize, spread: f64, seed: u64) -> Description {
             }
             let radius = spread * 0.05 * 10f64.powf(-3.0 * rng.f64());
             let position = center.map(|c| c + spread * 0.05 * (rng.f64() - 0.5));
-            Sphere { position, color: [0.8, 0.5, 0.3], radius, surface: Surface::Opaque, line: 0 }
+            // Rays that go through many glasses, each of which lets another part through.
+            let kt = 0.5 + 0.5 * rng.f64();
+            let glass = Surface::Transparent { ks: 1.0 - kt, kt, ior: 1.5 };
+            let surface = if i % 5 == 0 { Surface::Opaque } else { glass };
+            Sphere { position, color: [0.8, 0.5, 0.3], radius, surface, line: 0 }
         })
         .collect();
     let twin = scene.spheres[count / 2].clone();
@@ -77,9 +83,12 @@ fn medley(count: usize, spread: f64, seed: u64) -> Description {
 /// The nearest hits of random rays, from the eye, from surfaces and from far away; and how many there were.
 fn compare<S: Narrow>(scene: &Description, rays: usize, seed: u64) -> usize {
     let narrowed = narrow::<S>(scene, 1.0).expect("it fits");
-    assert!(!narrowed.hierarchy.is_empty() || !narrowed.boxes.is_empty(), "there are objects enough");
+    assert!(!LANES || !narrowed.lanes.nodes.is_empty(), "there are objects enough");
     let admitted = narrowed.scene().admit(&narrowed.camera).expect("it fits");
-    let (lid, mut rng, mut met) = (admitted.limits().lid, Rng::with_seed(seed), 0);
+    let firmware = narrowed.clone().without_lanes(scene);
+    assert!(!firmware.hierarchy.is_empty() || !firmware.boxes.is_empty(), "there are objects enough");
+    let firmware = firmware.scene().admit(&narrowed.camera).expect("it fits");
+    let (lid, mut rng, mut met, mut dimmed) = (admitted.limits().lid, Rng::with_seed(seed), 0, 0);
     for number in 0..rays {
         let spheres = &scene.spheres;
         let towards = &spheres[rng.usize(..spheres.len())];
@@ -103,18 +112,20 @@ fn compare<S: Narrow>(scene: &Description, rays: usize, seed: u64) -> usize {
         let Some((direction, _)) = direction.normalize() else { continue };
         let [x, y, z] = from.map(S::length);
         let ray = Ray::new::<Everything>(Vector::new(x, y, z), direction);
-        let with = admitted.nearest::<Everything>(&ray, lid);
         let without = admitted.nearest::<OneByOne>(&ray, lid);
-        assert_eq!(with.map(|hit| hit.object), without.map(|hit| hit.object), "{ray:?}");
-        assert!(with.map(|hit| hit.distance) == without.map(|hit| hit.distance), "{ray:?}");
-        met += usize::from(with.is_some());
-        let t_max = S::length(0.9 * length);
-        let (with, without) = (
-            admitted.transmittance::<Everything>(&ray, t_max, lid),
-            admitted.transmittance::<OneByOne>(&ray, t_max, lid),
-        );
-        assert!(with == without, "{ray:?}");
+        met += usize::from(without.is_some());
+        // The last part of a sphere, and all of it.
+        let t_max = S::length(if number % 2 == 0 { 0.9 } else { 3.0 } * length);
+        let shadow = admitted.transmittance::<OneByOne>(&ray, t_max, lid);
+        for scene in [&admitted, &firmware] {
+            let with = scene.nearest::<Everything>(&ray, lid);
+            assert_eq!(with.map(|hit| hit.object), without.map(|hit| hit.object), "{ray:?}");
+            assert!(with.map(|hit| hit.distance) == without.map(|hit| hit.distance), "{ray:?}");
+            assert!(scene.transmittance::<Everything>(&ray, t_max, lid) == shadow, "{ray:?}");
+        }
+        dimmed += usize::from(shadow > S::Unit::ZERO && shadow < S::Unit::ONE);
     }
+    assert!(dimmed > rays / 50, "only {dimmed} rays went through glass");
     met
 }
 
@@ -156,9 +167,11 @@ fn pictures_are_the_same() {
     let mut with_one = 0;
     for (name, scene) in scenes {
         let exact = Exact::new(&scene, 120, 75);
-        with_one += usize::from(!exact.scene().hierarchy.is_empty());
-        let same = exact.picture::<_, Everything>(Rta, DEPTH) == exact.picture::<_, OneByOne>(Rta, DEPTH);
-        assert!(same, "{name}");
+        let firmware = exact.without_lanes(&scene);
+        with_one += usize::from(!firmware.scene().hierarchy.is_empty());
+        let same = exact.picture::<_, OneByOne>(Rta, DEPTH);
+        assert!(exact.picture::<_, Everything>(Rta, DEPTH) == same, "{name} by lanes");
+        assert!(firmware.picture::<_, Everything>(Rta, DEPTH) == same, "{name} by spheres");
     }
     assert!(with_one >= 3, "only {with_one} of the scenes have a hierarchy");
 }
@@ -166,7 +179,7 @@ fn pictures_are_the_same() {
 #[test]
 fn a_hierarchy_that_is_wrong_is_refused() {
     let scene = shipped_scene("juggler");
-    let good = narrow::<Q16>(&scene, 1.0).expect("it fits");
+    let good = narrow::<Q16>(&scene, 1.0).expect("it fits").without_lanes(&scene);
     assert!(good.hierarchy.len() > 8);
     let refused = |edit: &dyn Fn(&mut Vec<Node<Q16>>)| {
         let mut bad = good.clone();

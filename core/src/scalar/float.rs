@@ -39,7 +39,7 @@ macro_rules! float {
                 self / divisor
             }
             fn reciprocal(self) -> Self {
-                1.0 / (self + 0.0) // of a zero without a sign
+                1.0 / self.abs()
             }
             #[inline]
             #[allow(clippy::cast_possible_truncation)] // to the nearest

@@ -1,0 +1,219 @@
+//! What of a lamp's light comes through to a surface.
+
+use heapless::Vec;
+
+use super::Scene;
+use crate::bvh::Item;
+use crate::hierarchy::Walk;
+use crate::lanes::{LANES, Pack, Probe, Search, Waiting};
+use crate::material::Material;
+use crate::needs::Needs;
+use crate::ray::Ray;
+use crate::scalar::{Scalar, Unit};
+
+/// Which object hid each lamp from the last point that it was hidden from: it is the first to be asked the next time (E. Haines
+/// and D. Greenberg, "The Light Buffer", IEEE CG&A 6, 1986, section on coherence). Nothing where there are no lanes.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Occluders([Item; OCCLUDERS]);
+
+/// More lamps share them.
+const OCCLUDERS: usize = if LANES { 8 } else { 0 };
+
+impl Occluders {
+    /// Nothing has hidden a lamp.
+    pub(crate) const fn new() -> Self {
+        Self([Item::NONE; OCCLUDERS])
+    }
+
+    /// That of a lamp.
+    fn of(&mut self, lamp: usize) -> Option<&mut Item> {
+        self.0.get_mut(lamp % 8)
+    }
+}
+
+/// More objects on the way of a shadow ray than this are gone through in the order of their lists.
+const GLASSES: usize = 16;
+
+/// What comes through objects that are met in any order: it is multiplied in the order of their lists, as rounded products
+/// depend on that.
+struct Shade<S: Scalar> {
+    glasses: Vec<(Item, S::Unit), GLASSES>,
+    /// There are more.
+    is_full: bool,
+}
+
+impl<S: Scalar> Shade<S> {
+    const NONE: Self = Self { glasses: Vec::new(), is_full: false };
+
+    /// Takes the part of the light that an object lets through: false if that is none of it.
+    fn pass<N: Needs>(&mut self, item: Item, material: &Material<S>) -> bool {
+        match material.glass::<N>() {
+            Some(glass) if N::TRANSPARENT_SHADOWS => {
+                self.is_full |= self.glasses.push((item, glass.kt)).is_err();
+                true
+            }
+            _ => false,
+        }
+    }
+
+    /// What comes through all of them; nothing if they were too many.
+    fn light(&mut self) -> Option<S::Unit> {
+        if self.glasses.len() > 2 {
+            self.glasses.sort_unstable_by_key(|(item, _)| *item);
+        }
+        let light = self.glasses.iter().fold(S::Unit::ONE, |light, (_, kt)| light.times(*kt));
+        (!self.is_full).then_some(light)
+    }
+}
+
+impl<S: Scalar> Scene<'_, S> {
+    /// What part of a lamp's light comes through from `t_max` along a shadow ray: 0 behind anything that is not
+    /// transparent, else the product of kt over the transparent objects on the way, once for each. Cylinders end at the
+    /// height `lid`.
+    pub fn transmittance<N: Needs>(&self, ray: &Ray<S>, t_max: S, lid: S) -> S::Unit {
+        self.transmittance_after::<N>(ray, t_max, lid, 0, &mut Occluders::new())
+    }
+
+    /// The same of a lamp by its number, where `occluders` is what is known of other points.
+    pub(crate) fn transmittance_after<N: Needs>(
+        &self,
+        ray: &Ray<S>,
+        t_max: S,
+        lid: S,
+        lamp: usize,
+        occluders: &mut Occluders,
+    ) -> S::Unit {
+        let zero = S::Unit::ZERO;
+        let light = if self.is_laned::<N>() {
+            let Some(last) = occluders.of(lamp) else { return zero };
+            if *last != Item::NONE {
+                if self.meet::<N>(*last, ray, t_max).is_some() {
+                    return zero;
+                }
+                *last = Item::NONE;
+            }
+            let mut shade = Shade::NONE;
+            if let Some(hidden_by) = self.first_opaque::<N>(ray, t_max, &mut shade) {
+                *last = hidden_by;
+                return zero;
+            }
+            shade.light()
+        } else if self.is_boxed::<N>() {
+            let mut shade = Shade::NONE;
+            let is_open = self.boxes.all(ray, t_max, |item| {
+                self.meet::<N>(item, ray, t_max).is_none()
+                    || self.item_material(item).is_none_or(|material| shade.pass::<N>(item, material))
+            });
+            if !is_open {
+                return zero;
+            }
+            shade.light()
+        } else {
+            None
+        };
+        let mut light = light.unwrap_or_else(|| self.through_lists::<N>(ray, t_max));
+        if light == zero {
+            return zero;
+        }
+        if N::CYLINDERS {
+            for cylinder in self.cylinders {
+                if cylinder.intersect(ray, t_max, lid).is_some() && !dim::<S, N>(&mut light, &cylinder.material) {
+                    return zero;
+                }
+            }
+        }
+        if N::FLOOR
+            && let Some(floor) = &self.floor
+            && floor.intersect(ray).is_some_and(|t| t < t_max)
+        {
+            return zero;
+        }
+        light
+    }
+
+    /// The first object that lets nothing through, as lanes find it; and what the others let through.
+    #[inline(always)]
+    fn first_opaque<N: Needs>(&self, ray: &Ray<S>, t_max: S, shade: &mut Shade<S>) -> Option<Item> {
+        let probe = Probe::new(&self.lanes, ray, t_max);
+        if self.lanes.nodes.is_empty() {
+            return self.first_opaque_of::<N>(self.lanes.packs, ray, t_max, &probe, shade);
+        }
+        let mut waiting = Waiting::new();
+        let mut search = Search::new(probe, self.lanes.nodes, &mut waiting);
+        while let Some(packs) = search.leaf() {
+            if let Some(item) = self.first_opaque_of::<N>(packs, ray, t_max, &search.probe, shade) {
+                return Some(item);
+            }
+        }
+        None
+    }
+
+    /// The same of some packs.
+    #[inline(always)]
+    fn first_opaque_of<N: Needs>(
+        &self,
+        packs: &[Pack],
+        ray: &Ray<S>,
+        t_max: S,
+        probe: &Probe,
+        shade: &mut Shade<S>,
+    ) -> Option<Item> {
+        for pack in packs {
+            let met = probe.meet(pack);
+            for k in met.items() {
+                if let Some(&item) = pack.items.get(k)
+                    && !matches!(item, Item::Lamp(_))
+                    && self.meet_lane::<N>(pack, &met, k, ray, t_max).is_some()
+                    && !self.item_material(item).is_none_or(|material| shade.pass::<N>(item, material))
+                {
+                    return Some(item);
+                }
+            }
+        }
+        None
+    }
+
+    /// What comes through all finite objects, one after the other.
+    fn through_lists<N: Needs>(&self, ray: &Ray<S>, t_max: S) -> S::Unit {
+        let mut light = S::Unit::ONE;
+        if N::SPHERES {
+            let mut walk = Walk::<S, N>::new(self.hierarchy, self.spheres);
+            while let Some((_, sphere)) = walk.next(ray, t_max) {
+                if sphere.intersect(ray, t_max).is_some() && !dim::<S, N>(&mut light, &sphere.material) {
+                    return light;
+                }
+            }
+        }
+        if N::ELLIPSOIDS {
+            for ellipsoid in self.ellipsoids {
+                if ellipsoid.intersect(ray, t_max).is_some() && !dim::<S, N>(&mut light, &ellipsoid.material) {
+                    return light;
+                }
+            }
+        }
+        if N::CONES {
+            for cone in self.cones {
+                if cone.intersect(ray, t_max).is_some() && !dim::<S, N>(&mut light, &cone.material) {
+                    return light;
+                }
+            }
+        }
+        if N::TRIANGLES {
+            for triangle in self.triangles {
+                if triangle.intersect(ray, t_max).is_some() && !dim::<S, N>(&mut light, &triangle.material) {
+                    return light;
+                }
+            }
+        }
+        light
+    }
+}
+
+/// Dims light by what a material lets through of it: false if nothing is left, and no need to look further.
+fn dim<S: Scalar, N: Needs>(light: &mut S::Unit, material: &Material<S>) -> bool {
+    *light = match material.glass::<N>() {
+        Some(glass) if N::TRANSPARENT_SHADOWS => light.times(glass.kt),
+        _ => S::Unit::ZERO,
+    };
+    *light > S::Unit::ZERO
+}
