@@ -31,25 +31,21 @@ impl Occluders {
     }
 }
 
-/// More objects on the way of a shadow ray than this are gone through in the order of their lists.
-const GLASSES: usize = 16;
+/// If so many objects are on the way of a shadow ray, they are gone through in the order of their lists.
+const MANY: usize = 16;
 
 /// What comes through objects that are met in any order: it is multiplied in the order of their lists, as rounded products
 /// depend on that.
-struct Shade<S: Scalar> {
-    glasses: Vec<(Item, S::Unit), GLASSES>,
-    /// There are more.
-    is_full: bool,
-}
+struct Shade<S: Scalar>(Vec<(Item, S::Unit), MANY>);
 
 impl<S: Scalar> Shade<S> {
-    const NONE: Self = Self { glasses: Vec::new(), is_full: false };
-
     /// Takes the part of the light that an object lets through: false if that is none of it.
+    #[inline(never)] // so that a ray which meets nothing does not prepare for it
     fn pass<N: Needs>(&mut self, item: Item, material: &Material<S>) -> bool {
         match material.glass::<N>() {
             Some(glass) if N::TRANSPARENT_SHADOWS => {
-                self.is_full |= self.glasses.push((item, glass.kt)).is_err();
+                // When it is full, what is in it does not matter any more.
+                let _ = self.0.push((item, glass.kt));
                 true
             }
             _ => false,
@@ -57,12 +53,16 @@ impl<S: Scalar> Shade<S> {
     }
 
     /// What comes through all of them; nothing if they were too many.
+    #[inline(always)]
     fn light(&mut self) -> Option<S::Unit> {
-        if self.glasses.len() > 2 {
-            self.glasses.sort_unstable_by_key(|(item, _)| *item);
-        }
-        let light = self.glasses.iter().fold(S::Unit::ONE, |light, (_, kt)| light.times(*kt));
-        (!self.is_full).then_some(light)
+        if self.0.is_empty() { Some(S::Unit::ONE) } else { self.product() }
+    }
+
+    #[inline(never)]
+    fn product(&mut self) -> Option<S::Unit> {
+        self.0.sort_unstable_by_key(|(item, _)| *item);
+        let light = self.0.iter().fold(S::Unit::ONE, |light, (_, kt)| light.times(*kt));
+        (!self.0.is_full()).then_some(light)
     }
 }
 
@@ -92,14 +92,14 @@ impl<S: Scalar> Scene<'_, S> {
                 }
                 *last = Item::NONE;
             }
-            let mut shade = Shade::NONE;
+            let mut shade = Shade(Vec::new());
             if let Some(hidden_by) = self.first_opaque::<N>(ray, t_max, &mut shade) {
                 *last = hidden_by;
                 return zero;
             }
             shade.light()
         } else if self.is_boxed::<N>() {
-            let mut shade = Shade::NONE;
+            let mut shade = Shade(Vec::new());
             let is_open = self.boxes.all(ray, t_max, |item| {
                 self.meet::<N>(item, ray, t_max).is_none()
                     || self.item_material(item).is_none_or(|material| shade.pass::<N>(item, material))
