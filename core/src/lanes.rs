@@ -13,13 +13,14 @@
 use glam::Vec4;
 use heapless::Vec;
 
-use crate::bvh::{Bits, Child, Item, MAX_DEPTH, first_wrong};
+use crate::bvh::{Bits, Child, Item, MAX_DEPTH, first_wrong, index};
 use crate::ray::Ray;
 use crate::scalar::{Scalar, Unit};
 use crate::vector::Vector;
 
 /// Whether the machine that this is compiled for has lanes.
-pub const LANES: bool = cfg!(any(target_feature = "sse2", target_feature = "neon", target_feature = "simd128"));
+pub const LANES: bool =
+    cfg!(any(target_feature = "sse2", target_feature = "neon", target_feature = "simd128"));
 
 /// Coordinates are below this, so that no square overflows.
 pub const LARGEST: f32 = 1e17;
@@ -101,7 +102,25 @@ impl Rods {
     pub const EMPTY: Self = Self { axis: [Vec4::ZERO; 3], radius: Vec4::ZERO };
 }
 
-/// A hierarchy over all finite objects and all visible lamps; without packs it is none.
+/// Four vertical cylinders, seen from above.
+#[derive(Clone, Copy, Debug)]
+pub struct Posts {
+    /// x and y of their axes.
+    pub center: [Vec4; 2],
+    /// Radii; of none it is negative and infinite.
+    pub radius: Vec4,
+    /// Which they are, in their list.
+    pub cylinders: [u32; 4],
+}
+
+impl Posts {
+    /// No cylinders.
+    pub const EMPTY: Self =
+        Self { center: [Vec4::ZERO; 2], radius: Vec4::NEG_INFINITY, cylinders: [u32::MAX; 4] };
+}
+
+/// A hierarchy over all finite objects and all visible lamps, and the vertical cylinders beside it; without packs and posts it
+/// is none.
 ///
 /// Admission sees that it leads on, ends and names each object once, not that each box contains its objects: that is the
 /// builder's promise. Where one is too small, something is not seen; nothing else happens.
@@ -113,28 +132,32 @@ pub struct Lanes<'a> {
     pub packs: &'a [Pack],
     /// What the packs name.
     pub rods: &'a [Rods],
+    /// The vertical cylinders, in the order of their list.
+    pub posts: &'a [Posts],
     /// The largest size of a coordinate.
     pub size: f32,
 }
 
 impl Lanes<'_> {
     /// No hierarchy.
-    pub const NONE: Self = Self { nodes: &[], packs: &[], rods: &[], size: 0.0 };
+    pub const NONE: Self = Self { nodes: &[], packs: &[], rods: &[], posts: &[], size: 0.0 };
 
     /// The first node that is wrong; without nodes it is 0 where something is missing. `counts` are the numbers of spheres,
-    /// ellipsoids, cones, triangles and visible lamps, and `lamps` that of all lamps.
-    pub(crate) fn first_wrong(&self, counts: [usize; 5], lamps: usize) -> Option<usize> {
-        if self.packs.is_empty() {
+    /// ellipsoids, cones, triangles and visible lamps, `cylinders` that of cylinders, and `lamps` that of all lamps.
+    pub(crate) fn first_wrong(&self, counts: [usize; 5], cylinders: usize, lamps: usize) -> Option<usize> {
+        if self.packs.is_empty() && self.posts.is_empty() {
             return (!self.nodes.is_empty()).then_some(0);
         }
         let [spheres, ellipsoids, cones, triangles, _] = counts;
         let there = |item: &Item| item.is_in([spheres, ellipsoids, cones, triangles, lamps]);
         let held = self.packs.iter().flat_map(|pack| pack.items).filter(there).count();
-        if held != counts.iter().sum::<usize>() {
+        let there = |number: &u32| index(*number) < cylinders;
+        let posts = self.posts.iter().flat_map(|posts| posts.cylinders).filter(there).count();
+        if held != counts.iter().sum::<usize>() || posts != cylinders {
             return Some(0);
         }
         if self.nodes.is_empty() {
-            return (self.packs.len() > Child::MAX_COUNT as usize).then_some(0);
+            return None;
         }
         first_wrong(|number| Some(self.nodes.get(number)?.children), self.nodes.len(), self.packs.len())
     }
@@ -218,6 +241,18 @@ impl<'a> Probe<'a> {
         Met { mask, along: b, across }
     }
 
+    /// Which of four vertical cylinders the ray may meet ahead and before its end: as [`Probe::meet_rods`] sees it. Its way
+    /// seen from above is not longer than the way.
+    #[inline(always)]
+    pub(crate) fn meet_posts(&self, posts: &Posts) -> Bits {
+        let ([ox, oy, _], [dx, dy, _], [cx, cy]) = (self.origin, self.direction, posts.center);
+        let margin = Vec4::splat(self.ray.margin);
+        let (x, y, r) = (cx - ox, cy - oy, posts.radius + margin);
+        let (b, s) = (x * dx + y * dy, ((x * dy - y * dx).abs() - margin).max(Vec4::ZERO));
+        let is_along = (b + r).cmpgt(Vec4::ZERO) & (b - r).cmplt(Vec4::splat(self.t_max));
+        Bits(((s * s).cmple(r * r * (dx * dx + dy * dy)) & is_along).bitmask())
+    }
+
     /// A bit for each cylinder that the ray meets if it is endless too. The nearest of the two lines is `|s| / |n|`, with `n`
     /// normal to both; `s` errs by less than the margin, as a foot point does.
     #[inline]
@@ -290,7 +325,8 @@ impl Slabs {
     fn enter(&self, node: &Boxes, t_max: f32) -> ([f32; 4], u32) {
         let (mut near, mut far) = (Vec4::ZERO, Vec4::splat(t_max));
         for axis in 0..3 {
-            let ([start, end], inverse, entry) = (self.starts[axis], self.inverse[axis], self.entry[axis] & 1);
+            let ([start, end], inverse, entry) =
+                (self.starts[axis], self.inverse[axis], self.entry[axis] & 1);
             // Where there is no number, the second operand is the result.
             near = ((node.planes[axis][entry] - start) * inverse).max(near);
             far = ((node.planes[axis][entry ^ 1] - end) * inverse).min(far);
@@ -337,7 +373,11 @@ impl<'a, 'w> Search<'a, 'w> {
                 let Some(mut best) = first else { break };
                 for k in entered {
                     let (Some(&child), Some(&near)) = (node.children.get(k), near.get(k)) else { break };
-                    let later = if near < best.1 { core::mem::replace(&mut best, (child, near)) } else { (child, near) };
+                    let later = if near < best.1 {
+                        core::mem::replace(&mut best, (child, near))
+                    } else {
+                        (child, near)
+                    };
                     // There is room: the hierarchy is not deeper than the stack.
                     let _ = self.waiting.push(later);
                 }

@@ -228,7 +228,7 @@ impl<'a, S: Scalar> Scene<'a, S> {
         let [spheres, ellipsoids, cones, triangles] = counts;
         let laned = [spheres, ellipsoids, cones, triangles, visible];
         let wrong = wrong.or_else(|| self.boxes.first_wrong(counts));
-        match wrong.or_else(|| self.lanes.first_wrong(laned, self.lamps.len())) {
+        match wrong.or_else(|| self.lanes.first_wrong(laned, self.cylinders.len(), self.lamps.len())) {
             Some(node) => Err(RangeError::Hierarchy(node)),
             None => Ok(Admitted { scene: self, limits: proof.limits }),
         }

@@ -100,7 +100,8 @@ impl<S: Scalar> Scene<'_, S> {
     /// A ray through this scene.
     #[inline]
     pub fn ray<N: Needs>(&self, origin: Vec3<S>, direction: UnitVec3<S>) -> Ray<S> {
-        let plan = if N::CYLINDERS && !self.cylinders.is_empty() { direction.plan() } else { None };
+        let is_asked = N::CYLINDERS && !self.cylinders.is_empty() && !self.is_laned::<N>();
+        let plan = if is_asked { direction.plan() } else { None };
         Ray { origin, direction, plan }
     }
 

@@ -126,11 +126,7 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize> Tracer<'a,
 
     /// What one ray brings of its own, and the surface that it has met with the size of its object.
     #[allow(clippy::type_complexity)] // light, and perhaps a surface with a size
-    fn local(
-        &self,
-        ray: &Ray<S>,
-        occluders: &mut Occluders,
-    ) -> (Rgb<S::Light>, Option<(Surface<'_, S>, S)>) {
+    fn local(&self, ray: &Ray<S>, occluders: &mut Occluders) -> (Rgb<S::Light>, Option<(Surface<'_, S>, S)>) {
         let (surface, extent) = match self.scene.look::<N>(ray, &self.scene.limits()) {
             Seen::Light(light) => {
                 self.model.note_light(light);

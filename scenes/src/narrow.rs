@@ -95,8 +95,7 @@ impl<S: Scalar> Narrowed<S> {
         S: Narrow,
     {
         let bvh::Built { nodes: boxes, items, size } = bvh::build::<S>(description);
-        let hierarchy =
-            if boxes.is_empty() { hierarchy::build(&description.spheres) } else { Vec::new() };
+        let hierarchy = if boxes.is_empty() { hierarchy::build(&description.spheres) } else { Vec::new() };
         Self { hierarchy, boxes, items, size, lanes: lanes::Built::default(), ..self }
     }
 

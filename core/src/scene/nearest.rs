@@ -1,7 +1,7 @@
 //! What a ray meets first: by lanes, by boxes, by a hierarchy of spheres, or one after the other.
 
 use super::{Hit, Object, Scene};
-use crate::bvh::Item;
+use crate::bvh::{Item, index};
 use crate::hierarchy::Walk;
 use crate::lanes::{LANES, Met, Pack, Probe, Search, Waiting};
 use crate::material::Material;
@@ -32,7 +32,7 @@ impl<S: Scalar> Best<S> {
 impl<S: Scalar> Scene<'_, S> {
     /// Whether the search goes by lanes.
     pub(super) fn is_laned<N: Needs>(&self) -> bool {
-        N::BOXES && LANES && !self.lanes.packs.is_empty()
+        N::BOXES && LANES && !(self.lanes.packs.is_empty() && self.lanes.posts.is_empty())
     }
 
     /// Whether it goes by boxes: where there are some; but a hierarchy of spheres is quicker.
@@ -45,7 +45,7 @@ impl<S: Scalar> Scene<'_, S> {
     pub(super) fn meet<N: Needs>(&self, item: Item, ray: &Ray<S>, t_max: S) -> Option<Hit<S>> {
         match item {
             Item::Sphere(i) if N::SPHERES => {
-                let i = usize::try_from(i).unwrap_or(usize::MAX);
+                let i = index(i);
                 let distance = self.spheres.get(i)?.intersect(ray, t_max)?;
                 Some(Hit { distance, object: Object::Sphere(i) })
             }
@@ -56,7 +56,6 @@ impl<S: Scalar> Scene<'_, S> {
     /// The same for what is not a sphere.
     #[inline(never)] // so that spheres are tried at once
     fn meet_other<N: Needs>(&self, item: Item, ray: &Ray<S>, t_max: S) -> Option<Hit<S>> {
-        let index = |number: u32| usize::try_from(number).unwrap_or(usize::MAX);
         let (distance, object) = match item {
             Item::Ellipsoid(i) if N::ELLIPSOIDS => {
                 (self.ellipsoids.get(index(i))?.intersect(ray, t_max)?, Object::Ellipsoid(index(i)))
@@ -88,8 +87,8 @@ impl<S: Scalar> Scene<'_, S> {
     ) -> Option<Hit<S>> {
         let &item = pack.items.get(k)?;
         let object = match item {
-            Item::Sphere(i) if N::SPHERES => Object::Sphere(usize::try_from(i).unwrap_or(usize::MAX)),
-            Item::Lamp(i) if N::VISIBLE_LAMPS => Object::Lamp(usize::try_from(i).unwrap_or(usize::MAX)),
+            Item::Sphere(i) if N::SPHERES => Object::Sphere(index(i)),
+            Item::Lamp(i) if N::VISIBLE_LAMPS => Object::Lamp(index(i)),
             _ => return self.meet_other::<N>(item, ray, t_max),
         };
         match met.sphere(pack, k, t_max) {
@@ -101,7 +100,6 @@ impl<S: Scalar> Scene<'_, S> {
     /// The material of an item; a lamp has none.
     #[inline(never)] // so that a ray which meets nothing does not prepare for it
     pub(super) fn item_material(&self, item: Item) -> Option<&Material<S>> {
-        let index = |number: u32| usize::try_from(number).unwrap_or(usize::MAX);
         self.material(match item {
             Item::Sphere(i) => Object::Sphere(index(i)),
             Item::Ellipsoid(i) => Object::Ellipsoid(index(i)),
@@ -139,13 +137,13 @@ impl<S: Scalar> Scene<'_, S> {
         {
             found(floor.intersect(ray), Object::Floor, &mut t_max);
         }
+        if self.is_laned::<N>() {
+            return self.nearest_laned::<N>(ray, hit, t_max, lid);
+        }
         if N::CYLINDERS {
             for (i, cylinder) in self.cylinders.iter().enumerate() {
                 found(cylinder.intersect(ray, t_max, lid), Object::Cylinder(i), &mut t_max);
             }
-        }
-        if self.is_laned::<N>() {
-            return self.nearest_laned::<N>(ray, hit, t_max);
         }
         if self.is_boxed::<N>() {
             let mut best = Best { hit, limit: t_max.next_up() };
@@ -178,9 +176,21 @@ impl<S: Scalar> Scene<'_, S> {
 
     /// The nearest hit with what lanes hold, where a ray meets nothing else but `hit` before `t_max`.
     #[inline(always)]
-    fn nearest_laned<N: Needs>(&self, ray: &Ray<S>, hit: Option<Hit<S>>, t_max: S) -> Option<Hit<S>> {
+    fn nearest_laned<N: Needs>(&self, ray: &Ray<S>, hit: Option<Hit<S>>, t_max: S, lid: S) -> Option<Hit<S>> {
         let mut best = Best { hit, limit: t_max.next_up() };
         let mut probe = Probe::new(&self.lanes, ray, t_max);
+        if N::CYLINDERS {
+            for posts in self.lanes.posts {
+                for k in probe.meet_posts(posts) {
+                    let i = posts.cylinders.get(k).map_or(usize::MAX, |&i| index(i));
+                    let distance = self.cylinders.get(i).and_then(|c| c.intersect(ray, best.limit, lid));
+                    let hit = distance.map(|distance| Hit { distance, object: Object::Cylinder(i) });
+                    if let Some(distance) = hit.and_then(|hit| best.offer(hit)) {
+                        probe.shorten(distance);
+                    }
+                }
+            }
+        }
         if self.lanes.nodes.is_empty() {
             self.nearest_of::<N>(self.lanes.packs, ray, &mut probe, &mut best);
         } else {

@@ -3,7 +3,7 @@
 use heapless::Vec;
 
 use super::Scene;
-use crate::bvh::Item;
+use crate::bvh::{Item, index};
 use crate::hierarchy::Walk;
 use crate::lanes::{LANES, Pack, Probe, Search, Waiting};
 use crate::material::Material;
@@ -84,20 +84,12 @@ impl<S: Scalar> Scene<'_, S> {
         occluders: &mut Occluders,
     ) -> S::Unit {
         let zero = S::Unit::ZERO;
-        let light = if self.is_laned::<N>() {
+        let mut light;
+        let mut has_cylinders = N::CYLINDERS;
+        if self.is_laned::<N>() {
             let Some(last) = occluders.of(lamp) else { return zero };
-            if *last != Item::NONE {
-                if self.meet::<N>(*last, ray, t_max).is_some() {
-                    return zero;
-                }
-                *last = Item::NONE;
-            }
-            let mut shade = Shade(Vec::new());
-            if let Some(hidden_by) = self.first_opaque::<N>(ray, t_max, &mut shade) {
-                *last = hidden_by;
-                return zero;
-            }
-            shade.light()
+            let Some(through) = self.through_lanes::<N>(ray, t_max, lid, last) else { return zero };
+            (light, has_cylinders) = through;
         } else if self.is_boxed::<N>() {
             let mut shade = Shade(Vec::new());
             let is_open = self.boxes.all(ray, t_max, |item| {
@@ -107,17 +99,18 @@ impl<S: Scalar> Scene<'_, S> {
             if !is_open {
                 return zero;
             }
-            shade.light()
+            light = shade.light().unwrap_or_else(|| self.through_lists::<N>(ray, t_max));
         } else {
-            None
-        };
-        let mut light = light.unwrap_or_else(|| self.through_lists::<N>(ray, t_max));
+            light = self.through_lists::<N>(ray, t_max);
+        }
         if light == zero {
             return zero;
         }
-        if N::CYLINDERS {
+        if has_cylinders {
             for cylinder in self.cylinders {
-                if cylinder.intersect(ray, t_max, lid).is_some() && !dim::<S, N>(&mut light, &cylinder.material) {
+                if cylinder.intersect(ray, t_max, lid).is_some()
+                    && !dim::<S, N>(&mut light, &cylinder.material)
+                {
                     return zero;
                 }
             }
@@ -131,24 +124,59 @@ impl<S: Scalar> Scene<'_, S> {
         light
     }
 
-    /// The first object that lets nothing through, as lanes find it; and what the others let through.
+    /// What comes through all finite objects, and whether there are cylinders on the way that let something through; nothing
+    /// behind anything that does not, which becomes the `last` occluder.
     #[inline(always)]
-    fn first_opaque<N: Needs>(&self, ray: &Ray<S>, t_max: S, shade: &mut Shade<S>) -> Option<Item> {
-        let probe = Probe::new(&self.lanes, ray, t_max);
-        if self.lanes.nodes.is_empty() {
-            return self.first_opaque_of::<N>(self.lanes.packs, ray, t_max, &probe, shade);
+    fn through_lanes<N: Needs>(
+        &self,
+        ray: &Ray<S>,
+        t_max: S,
+        lid: S,
+        last: &mut Item,
+    ) -> Option<(S::Unit, bool)> {
+        if *last != Item::NONE {
+            if self.meet::<N>(*last, ray, t_max).is_some() {
+                return None;
+            }
+            *last = Item::NONE;
         }
-        let mut waiting = Waiting::new();
-        let mut search = Search::new(probe, self.lanes.nodes, &mut waiting);
-        while let Some(packs) = search.leaf() {
-            if let Some(item) = self.first_opaque_of::<N>(packs, ray, t_max, &search.probe, shade) {
-                return Some(item);
+        let probe = Probe::new(&self.lanes, ray, t_max);
+        let mut has_cylinders = false;
+        if N::CYLINDERS {
+            for posts in self.lanes.posts {
+                for k in probe.meet_posts(posts) {
+                    let cylinder = posts.cylinders.get(k).and_then(|&i| self.cylinders.get(index(i)));
+                    if let Some(cylinder) = cylinder
+                        && cylinder.intersect(ray, t_max, lid).is_some()
+                    {
+                        if !dim::<S, N>(&mut { S::Unit::ONE }, &cylinder.material) {
+                            return None;
+                        }
+                        has_cylinders = true;
+                    }
+                }
             }
         }
-        None
+        let mut shade = Shade(Vec::new());
+        if self.lanes.nodes.is_empty() {
+            *last = self.first_opaque_of::<N>(self.lanes.packs, ray, t_max, &probe, &mut shade);
+        } else {
+            let mut waiting = Waiting::new();
+            let mut search = Search::new(probe, self.lanes.nodes, &mut waiting);
+            while *last == Item::NONE
+                && let Some(packs) = search.leaf()
+            {
+                *last = self.first_opaque_of::<N>(packs, ray, t_max, &search.probe, &mut shade);
+            }
+        }
+        if *last != Item::NONE {
+            return None;
+        }
+        let light = shade.light().unwrap_or_else(|| self.through_lists::<N>(ray, t_max));
+        Some((light, has_cylinders))
     }
 
-    /// The same of some packs.
+    /// The first object of some packs that lets nothing through, or none; and what the others let through.
     #[inline(always)]
     fn first_opaque_of<N: Needs>(
         &self,
@@ -157,7 +185,7 @@ impl<S: Scalar> Scene<'_, S> {
         t_max: S,
         probe: &Probe,
         shade: &mut Shade<S>,
-    ) -> Option<Item> {
+    ) -> Item {
         for pack in packs {
             let met = probe.meet(pack);
             for k in met.items() {
@@ -166,11 +194,11 @@ impl<S: Scalar> Scene<'_, S> {
                     && self.meet_lane::<N>(pack, &met, k, ray, t_max).is_some()
                     && !self.item_material(item).is_none_or(|material| shade.pass::<N>(item, material))
                 {
-                    return Some(item);
+                    return item;
                 }
             }
         }
-        None
+        Item::NONE
     }
 
     /// What comes through all finite objects, one after the other.
@@ -186,7 +214,8 @@ impl<S: Scalar> Scene<'_, S> {
         }
         if N::ELLIPSOIDS {
             for ellipsoid in self.ellipsoids {
-                if ellipsoid.intersect(ray, t_max).is_some() && !dim::<S, N>(&mut light, &ellipsoid.material) {
+                if ellipsoid.intersect(ray, t_max).is_some() && !dim::<S, N>(&mut light, &ellipsoid.material)
+                {
                     return light;
                 }
             }

@@ -30,7 +30,7 @@ impl<S: Scalar> Cylinder<S> {
 
     /// Distance of the nearest hit in ]0, `t_max`[ and between the heights `-lid` and `lid`.
     pub fn intersect(&self, ray: &Ray<S>, t_max: S, lid: S) -> Option<S> {
-        let plan = ray.plan?;
+        let plan = ray.plan()?;
         let displacement = self.center - ray.origin;
         let b = displacement.dot_plan(plan);
         if b + self.radius <= S::ZERO {
@@ -49,7 +49,7 @@ impl<S: Scalar> Cylinder<S> {
 
     /// The surface where [`Cylinder::intersect`] found the distance `t`.
     pub fn spot(&self, ray: &Ray<S>, t: S) -> Spot<S> {
-        let Some(plan) = ray.plan else {
+        let Some(plan) = ray.plan() else {
             // A vertical ray meets no cylinder.
             return Spot { distance: t, point: ray.origin.along(ray.direction, t), normal: -ray.direction };
         };

@@ -1,7 +1,7 @@
 //! Builds the hierarchy of machines with lanes.
 
 use rta_core::bvh::{Child, Item, MAX_DEPTH};
-use rta_core::lanes::{Boxes, LARGEST, Lanes, Pack, Rods};
+use rta_core::lanes::{Boxes, LARGEST, Lanes, Pack, Posts, Rods};
 
 use super::bounds::Bounds;
 use super::tree::{Costs, Solid, Tree, four, solids, tree};
@@ -21,6 +21,8 @@ pub struct Built {
     pub packs: Vec<Pack>,
     /// Cylinders about the cones among them.
     pub rods: Vec<Rods>,
+    /// Vertical cylinders, four by four.
+    pub posts: Vec<Posts>,
     /// The largest size of a coordinate.
     pub size: f32,
 }
@@ -29,7 +31,8 @@ impl Built {
     /// The hierarchy, borrowed.
     #[must_use]
     pub fn lanes(&self) -> Lanes<'_> {
-        Lanes { nodes: &self.nodes, packs: &self.packs, rods: &self.rods, size: self.size }
+        let Self { nodes, packs, rods, posts, size } = self;
+        Lanes { nodes, packs, rods, posts, size: *size }
     }
 }
 
@@ -41,12 +44,27 @@ pub(super) fn build(scene: &Description) -> Built {
     let mut solids = solids(scene);
     let lamps = scene.lamps.iter().zip(0..).filter(|(lamp, _)| lamp.radius > 0.0);
     solids.extend(lamps.map(|(lamp, i)| Solid::sphere(lamp.position, lamp.radius, Item::Lamp(i))));
-    let whole = solids.iter().fold(Bounds::NONE, |bounds, solid| bounds.with(&solid.bounds));
+    let feet =
+        scene.cylinders.iter().map(|c| Bounds::about([c.position[0], c.position[1], 0.0], [c.radius; 3]));
+    let bounds = solids.iter().map(|solid| solid.bounds).chain(feet);
+    let largest = bounds.fold(0.0f64, |most, bounds| most.max(bounds.largest()));
     let mut built = Built::default();
-    if solids.is_empty() || whole.largest() > f64::from(LARGEST) / 4.0 || solids.len() > Child::MAX_ITEMS as usize {
+    if largest > f64::from(LARGEST) / 4.0 || solids.len() > Child::MAX_ITEMS as usize {
         return built;
     }
-    built.size = single(whole.largest());
+    built.size = single(largest);
+    for (four, first) in scene.cylinders.chunks(4).zip((0..).step_by(4)) {
+        let mut posts = Posts::EMPTY;
+        for ((slot, cylinder), number) in four.iter().enumerate().zip(first..) {
+            let [x, y] = &mut posts.center;
+            (x[slot], y[slot]) = (single(cylinder.position[0]), single(cylinder.position[1]));
+            posts.radius[slot] = single(cylinder.radius);
+            if let Some(place) = posts.cylinders.get_mut(slot) {
+                *place = number;
+            }
+        }
+        built.posts.push(posts);
+    }
     if solids.len() <= FEW {
         pack(scene, &solids, &mut built);
         return built;
