@@ -32,10 +32,10 @@ impl Occluders {
 }
 
 /// If so many objects are on the way of a shadow ray, they are gone through in the order of their lists.
-const MANY: usize = 16;
+const MANY: usize = if LANES { 32 } else { 8 };
 
-/// What comes through objects that are met in any order: it is multiplied in the order of their lists, as rounded products
-/// depend on that.
+/// What comes through objects that are met in any order, in the order of their lists: it is multiplied in that order, as
+/// rounded products depend on it.
 struct Shade<S: Scalar>(Vec<(Item, S::Unit), MANY>);
 
 impl<S: Scalar> Shade<S> {
@@ -46,6 +46,14 @@ impl<S: Scalar> Shade<S> {
             Some(glass) if N::TRANSPARENT_SHADOWS => {
                 // When it is full, what is in it does not matter any more.
                 let _ = self.0.push((item, glass.kt));
+                let mut rest = self.0.as_mut_slice();
+                while let [.., before, last] = rest
+                    && last.0 < before.0
+                {
+                    core::mem::swap(before, last);
+                    let end = rest.len() - 1;
+                    rest = rest.get_mut(..end).unwrap_or_default();
+                }
                 true
             }
             _ => false,
@@ -60,7 +68,6 @@ impl<S: Scalar> Shade<S> {
 
     #[inline(never)]
     fn product(&mut self) -> Option<S::Unit> {
-        self.0.sort_unstable_by_key(|(item, _)| *item);
         let light = self.0.iter().fold(S::Unit::ONE, |light, (_, kt)| light.times(*kt));
         (!self.0.is_full()).then_some(light)
     }
