@@ -98,6 +98,7 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize> Pixels<'a,
 impl<S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize> Iterator for Pixels<'_, S, M, N, STACK> {
     type Item = Rgb<S::Light>;
 
+    #[inline]
     fn next(&mut self) -> Option<Self::Item> {
         if self.y >= self.end {
             return None;

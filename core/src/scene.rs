@@ -19,7 +19,7 @@ use crate::range::Limits;
 use crate::ray::Ray;
 use crate::scalar::{Light, Scalar, Unit};
 pub use crate::shape::Floor;
-use crate::shape::{Cone, Cylinder, Ellipsoid, Sphere, Triangle};
+use crate::shape::{Cone, Cylinder, Ellipsoid, Sphere, Spot, Triangle};
 use crate::vector::{UnitVec3, UnitVector, Vec3, Vector};
 
 /// A scene (rta-model section 1), but for the eye.
@@ -106,37 +106,20 @@ impl<S: Scalar> Scene<'_, S> {
     }
 
     /// What is seen along a ray: the surface of what it hits, or the radiance of a lamp or of the sky.
+    #[cfg_attr(not(target_os = "none"), inline(always))]
     pub(crate) fn look<N: Needs>(&self, ray: &Ray<S>, limits: &Limits<S>) -> Seen<'_, S> {
-        let hit = self.nearest::<N>(ray, limits.lid);
+        let hit = self.find::<N>(ray, limits.lid);
         if N::VISIBLE_LAMPS
             && let Some(Hit { object: Object::Lamp(i), .. }) = hit
             && let Some(lamp) = self.lamps.get(i)
         {
             return Seen::Light(lamp.radiance());
         }
-        // One arm for each kind; an index is always that of a thing in its list.
-        let found = hit.and_then(|Hit { distance, object }| match object {
-            Object::Floor if N::FLOOR => self.floor.as_ref().map(|floor| {
-                let (spot, color) = floor.spot(ray, distance, limits.reach);
-                (spot, color, &Material::Opaque, S::ZERO)
-            }),
-            Object::Cylinder(i) if N::CYLINDERS => {
-                self.cylinders.get(i).map(|c| (c.spot(ray, distance), c.color, &c.material, c.radius))
-            }
-            Object::Ellipsoid(i) if N::ELLIPSOIDS => self
-                .ellipsoids
-                .get(i)
-                .map(|e| (e.spot(ray, distance), e.color, &e.material, e.extent.squashed(e.thickness))),
-            Object::Cone(i) if N::CONES => {
-                self.cones.get(i).map(|c| (c.spot(ray, distance), c.color, &c.material, c.extent()))
-            }
-            Object::Triangle(i) if N::TRIANGLES => {
-                self.triangles.get(i).map(|t| (t.spot::<N>(ray, distance), t.color, &t.material, t.extent))
-            }
+        let found = hit.and_then(|hit| match hit.object {
             Object::Sphere(i) if N::SPHERES => {
-                self.spheres.get(i).map(|s| (s.spot(ray, distance), s.color, &s.material, s.radius))
+                self.spheres.get(i).map(|s| (s.spot(ray, hit.distance), s.color, &s.material, s.radius))
             }
-            _ => None,
+            _ => self.place::<N>(ray, hit, limits.reach),
         });
         let Some((spot, color, material, extent)) = found else {
             return Seen::Light(self.sky.radiance::<N>(ray.direction));
@@ -153,7 +136,37 @@ impl<S: Scalar> Scene<'_, S> {
         };
         Seen::Surface(surface, extent)
     }
+
+    /// The place on what is no sphere, with its colour, its material and the size of the object. One arm for each kind; an
+    /// index is always that of a thing in its list.
+    #[cfg_attr(not(target_os = "none"), inline(never))] // so that a ray which meets a sphere does not prepare for it
+    fn place<N: Needs>(&self, ray: &Ray<S>, hit: Hit<S>, reach: S) -> Option<Place<'_, S>> {
+        let distance = hit.distance;
+        match hit.object {
+            Object::Floor if N::FLOOR => self.floor.as_ref().map(|floor| {
+                let (spot, color) = floor.spot(ray, distance, reach);
+                (spot, color, &Material::Opaque, S::ZERO)
+            }),
+            Object::Cylinder(i) if N::CYLINDERS => {
+                self.cylinders.get(i).map(|c| (c.spot(ray, distance), c.color, &c.material, c.radius))
+            }
+            Object::Ellipsoid(i) if N::ELLIPSOIDS => self
+                .ellipsoids
+                .get(i)
+                .map(|e| (e.spot(ray, distance), e.color, &e.material, e.extent.squashed(e.thickness))),
+            Object::Cone(i) if N::CONES => {
+                self.cones.get(i).map(|c| (c.spot(ray, distance), c.color, &c.material, c.extent()))
+            }
+            Object::Triangle(i) if N::TRIANGLES => {
+                self.triangles.get(i).map(|t| (t.spot::<N>(ray, distance), t.color, &t.material, t.extent))
+            }
+            _ => None,
+        }
+    }
 }
+
+/// A place on a surface, with its colour, its material and the size of the object.
+type Place<'a, S> = (Spot<S>, Rgb<<S as Scalar>::Unit>, &'a Material<S>, S);
 
 /// What a ray sees.
 pub(crate) enum Seen<'a, S: Scalar> {

@@ -24,6 +24,15 @@ pub const DEPTH: u32 = 5;
 /// Capacity of the ray stack here.
 const STACK: usize = 32;
 
+/// Everything, without any search: objects are tried one after the other.
+#[derive(Debug)]
+pub struct OneByOne;
+
+impl Needs for OneByOne {
+    const HIERARCHY: bool = false;
+    const BOXES: bool = false;
+}
+
 /// A scene in Q16.16 and the raster to draw it on.
 #[derive(Debug)]
 pub struct Exact {

@@ -6,7 +6,7 @@ use fastrand::Rng;
 use rta_core::hierarchy::Node;
 use rta_core::illumination::Rta;
 use rta_core::lanes::LANES;
-use rta_core::needs::{Everything, Needs};
+use rta_core::needs::Everything;
 use rta_core::range::RangeError;
 use rta_core::ray::Ray;
 use rta_core::scalar::Unit;
@@ -14,16 +14,8 @@ use rta_core::vector::{UnitVec3, UnitVector, Vector};
 use rta_core::{Q16, Q20};
 use rta_scenes::description::{Cone, Description, Ellipsoid, Sphere, Surface, Triangle};
 use rta_scenes::narrow::{Narrow, narrow};
-use rta_tests::exact::{DEPTH, Exact, shipped_scene};
+use rta_tests::exact::{DEPTH, Exact, OneByOne, shipped_scene};
 use rta_tests::random_scenes;
-
-/// Everything, with the spheres tried one after the other.
-struct OneByOne;
-
-impl Needs for OneByOne {
-    const HIERARCHY: bool = false;
-    const BOXES: bool = false;
-}
 
 /// `count` spheres of sizes that differ a thousandfold, in clusters and far from each other; some of them touch or coincide.
 fn cloud(count: usize, spread: f64, seed: u64) -> Description {

@@ -124,22 +124,31 @@ impl<S: Scalar> Scene<'_, S> {
 
     /// The nearest hit of a ray, if it meets anything; cylinders end at the height `lid`.
     pub fn nearest<N: Needs>(&self, ray: &Ray<S>, lid: S) -> Option<Hit<S>> {
-        let mut hit = None;
-        let mut t_max = S::FAR;
+        self.find::<N>(ray, lid)
+    }
+
+    /// The same for the tracer, which asks in one place.
+    #[cfg_attr(not(target_os = "none"), inline(always))]
+    pub(super) fn find<N: Needs>(&self, ray: &Ray<S>, lid: S) -> Option<Hit<S>> {
+        let floor = if N::FLOOR { self.floor.as_ref().and_then(|floor| floor.intersect(ray)) } else { None };
+        if self.is_laned::<N>() {
+            self.nearest_laned::<N>(ray, floor, lid)
+        } else {
+            self.nearest_listed::<N>(ray, floor, lid)
+        }
+    }
+
+    /// The nearest hit by boxes or one after the other, where a ray meets the floor at the distance `floor`.
+    #[cfg_attr(not(target_os = "none"), inline(never))] // so that a ray through lanes does not prepare for it
+    fn nearest_listed<N: Needs>(&self, ray: &Ray<S>, floor: Option<S>, lid: S) -> Option<Hit<S>> {
+        let mut hit = floor.map(|distance| Hit { distance, object: Object::Floor });
+        let mut t_max = floor.unwrap_or(S::FAR);
         let mut found = |distance: Option<S>, object: Object, t_max: &mut S| {
             if let Some(distance) = distance {
                 *t_max = distance;
                 hit = Some(Hit { distance, object });
             }
         };
-        if N::FLOOR
-            && let Some(floor) = &self.floor
-        {
-            found(floor.intersect(ray), Object::Floor, &mut t_max);
-        }
-        if self.is_laned::<N>() {
-            return self.nearest_laned::<N>(ray, hit, t_max, lid);
-        }
         if N::CYLINDERS {
             for (i, cylinder) in self.cylinders.iter().enumerate() {
                 found(cylinder.intersect(ray, t_max, lid), Object::Cylinder(i), &mut t_max);
@@ -174,9 +183,11 @@ impl<S: Scalar> Scene<'_, S> {
         self.nearest_lamp::<N>(ray, t_max).or(hit)
     }
 
-    /// The nearest hit with what lanes hold, where a ray meets nothing else but `hit` before `t_max`.
+    /// The nearest hit with what lanes hold, where a ray meets the floor at the distance `floor`.
     #[inline(always)]
-    fn nearest_laned<N: Needs>(&self, ray: &Ray<S>, hit: Option<Hit<S>>, t_max: S, lid: S) -> Option<Hit<S>> {
+    fn nearest_laned<N: Needs>(&self, ray: &Ray<S>, floor: Option<S>, lid: S) -> Option<Hit<S>> {
+        let t_max = floor.unwrap_or(S::FAR);
+        let hit = floor.map(|distance| Hit { distance, object: Object::Floor });
         let mut best = Best { hit, limit: t_max.next_up() };
         let mut probe = Probe::new(&self.lanes, ray, t_max);
         if N::CYLINDERS {

@@ -37,6 +37,7 @@ impl<S: Scalar> Sphere<S> {
     }
 
     /// The surface where [`Sphere::intersect`] found the distance `t`.
+    #[inline]
     pub fn spot(&self, ray: &Ray<S>, t: S) -> Spot<S> {
         let displacement = self.center - ray.origin;
         let b = displacement.dot(ray.direction);
