@@ -26,6 +26,8 @@ mod lanes;
 mod tree;
 mod triangle;
 
+pub use lanes::Built;
+
 /// A number format that descriptions can be narrowed to.
 pub trait Narrow: Scalar {
     /// What the format is called on a command line.
@@ -76,7 +78,7 @@ pub struct Narrowed<S: Scalar> {
     /// The largest size of a coordinate in it.
     pub size: S,
     /// What a machine with lanes goes by.
-    pub lanes: lanes::Built,
+    pub lanes: Built,
     /// Lamps.
     pub lamps: Vec<Lamp<S>>,
     /// The floor.
@@ -96,7 +98,7 @@ impl<S: Scalar> Narrowed<S> {
     {
         let bvh::Built { nodes: boxes, items, size } = bvh::build::<S>(description);
         let hierarchy = if boxes.is_empty() { hierarchy::build(&description.spheres) } else { Vec::new() };
-        Self { hierarchy, boxes, items, size, lanes: lanes::Built::default(), ..self }
+        Self { hierarchy, boxes, items, size, lanes: Built::default(), ..self }
     }
 
     /// The scene, borrowed.
@@ -333,7 +335,7 @@ pub fn narrow<S: Narrow>(description: &Description, aspect: f64) -> Result<Narro
         boxes: Vec::new(),
         items: Vec::new(),
         size: S::ZERO,
-        lanes: lanes::Built::default(),
+        lanes: Built::default(),
         lamps: lamps?,
         floor,
         sky: Sky {

@@ -3,6 +3,7 @@
 #![allow(clippy::indexing_slicing, reason = "a test may panic")]
 
 use fastrand::Rng;
+use rta_core::bvh::{Child, Item};
 use rta_core::hierarchy::Node;
 use rta_core::illumination::Rta;
 use rta_core::lanes::LANES;
@@ -13,7 +14,7 @@ use rta_core::scalar::Unit;
 use rta_core::vector::{UnitVec3, UnitVector, Vector};
 use rta_core::{Q16, Q20};
 use rta_scenes::description::{Cone, Description, Ellipsoid, Sphere, Surface, Triangle};
-use rta_scenes::narrow::{Narrow, narrow};
+use rta_scenes::narrow::{Built, Narrow, narrow};
 use rta_tests::exact::{DEPTH, Exact, OneByOne, shipped_scene};
 use rta_tests::random_scenes;
 
@@ -187,4 +188,27 @@ fn a_hierarchy_that_is_wrong_is_refused() {
     assert!(number(refused(&|nodes| nodes[0].end = 71)), "beyond the list");
     assert!(number(refused(&|nodes| nodes.truncate(5))), "not complete");
     assert!(number(refused(&|nodes| nodes[2].center.x = Q16::from_num(90))), "beside its spheres");
+}
+
+#[test]
+fn lanes_that_are_wrong_are_refused() {
+    if !LANES {
+        return;
+    }
+    let scene = shipped_scene("hall-22");
+    let good = narrow::<Q16>(&scene, 1.0).expect("it fits");
+    assert!(good.lanes.nodes.len() > 1 && good.lanes.packs.len() > 3 && good.lanes.posts.len() == 2);
+    let refused = |edit: &dyn Fn(&mut Built)| {
+        let mut bad = good.clone();
+        edit(&mut bad.lanes);
+        matches!(bad.scene().admit(&bad.camera).err(), Some(RangeError::Hierarchy(_)))
+    };
+    assert!(!refused(&|_| ()));
+    assert!(refused(&|lanes| lanes.nodes[0].children[0] = Child::node(0)), "it leads to itself");
+    assert!(refused(&|lanes| lanes.nodes[0].children[0] = Child::node(99)), "it leads nowhere");
+    assert!(refused(&|lanes| lanes.nodes[0].children = [Child::EMPTY; 4]), "it leads to nothing");
+    assert!(refused(&|lanes| lanes.packs.truncate(3)), "a leaf is missing");
+    assert!(refused(&|lanes| lanes.packs[0].items[0] = Item::Sphere(10)), "there is no such sphere");
+    assert!(refused(&|lanes| lanes.posts[1].cylinders[1] = 6), "there is no such cylinder");
+    assert!(refused(&|lanes| lanes.posts.truncate(1)), "two cylinders are missing");
 }
