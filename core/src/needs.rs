@@ -33,7 +33,7 @@ pub trait Needs: Send + Sync + 'static {
     const TRIANGLES: bool = true;
     /// Triangles with normals at their vertices.
     const NORMALS: bool = true;
-    /// A [hierarchy of boxes](crate::bvh) over all finite objects.
+    /// A [hierarchy of boxes](crate::bvh) over all finite objects, or [lanes](crate::lanes).
     const BOXES: bool = true;
     /// Vertical cylinders.
     const CYLINDERS: bool = true;

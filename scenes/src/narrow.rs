@@ -270,6 +270,8 @@ fn lamp<S: Narrow>(index: usize, lamp: &description::Lamp) -> Result<Lamp<S>, Na
 /// # Errors
 /// The first thing that the format cannot hold, with its size and the limit.
 pub fn narrow<S: Narrow>(description: &Description, aspect: f64) -> Result<Narrowed<S>, NarrowError> {
+    // Before the lists: what it takes to build is gone when they come.
+    let lanes = if LANES { lanes::build(description) } else { Built::default() };
     let mut cylinders = Vec::with_capacity(description.cylinders.len());
     for (i, c) in description.cylinders.iter().enumerate() {
         let check = Checker::<S>::new("cylinder", i, c.line);
@@ -335,7 +337,7 @@ pub fn narrow<S: Narrow>(description: &Description, aspect: f64) -> Result<Narro
         boxes: Vec::new(),
         items: Vec::new(),
         size: S::ZERO,
-        lanes: Built::default(),
+        lanes,
         lamps: lamps?,
         floor,
         sky: Sky {
@@ -344,11 +346,7 @@ pub fn narrow<S: Narrow>(description: &Description, aspect: f64) -> Result<Narro
         },
         ambient: Checker::<S>::named("the ambient light").light(description.ambient)?,
     };
-    Ok(if LANES {
-        Narrowed { lanes: lanes::build(description), ..narrowed }
-    } else {
-        narrowed.without_lanes(description)
-    })
+    Ok(if LANES { narrowed } else { narrowed.without_lanes(description) })
 }
 
 #[cfg(test)]

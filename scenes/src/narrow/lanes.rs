@@ -10,7 +10,7 @@ use crate::space::{difference, length};
 
 /// So many objects are as quickly tried four by four.
 const FEW: usize = 8;
-const COSTS: Costs = Costs { pair: 0.7, object: 0.3, pack: 1.0, at_once: 4, leaf: 8 };
+const COSTS: Costs = Costs { pair: 1.4, object: 0.3, pack: 1.0, at_once: 4, leaf: 8 };
 
 /// A hierarchy.
 #[derive(Clone, Debug, Default)]
@@ -70,6 +70,7 @@ pub(super) fn build(scene: &Description) -> Built {
         return built;
     }
     let tree = tree(&mut solids, 0, 0, &COSTS);
+    built.packs.reserve_exact(packs(&tree));
     if emit(scene, &tree, &solids, true, &mut built) > MAX_DEPTH {
         built.nodes.clear();
         built.packs.clear();
@@ -147,6 +148,14 @@ fn about([a, b, c]: [[f64; 3]; 3]) -> Ball {
         *c += across / y * h;
     }
     (place, h.hypot(side / 2.0))
+}
+
+/// How many packs a tree's leaves take.
+fn packs(tree: &Tree) -> usize {
+    match tree {
+        Tree::Leaf(_, _, count) => count.div_ceil(4),
+        Tree::Pair(_, pair) => pair.iter().map(packs).sum(),
+    }
 }
 
 /// Appends some objects, and says how many packs they are.
