@@ -55,7 +55,7 @@ impl Boxes {
         Self { planes: [[Vec4::INFINITY, Vec4::NEG_INFINITY]; 3], children: [Child::EMPTY; 4] };
 }
 
-/// Four bounding spheres.
+/// Four bounding spheres. That of a sphere or a lamp is the thing itself: in `f32` it is met by these numbers.
 #[derive(Clone, Copy, Debug)]
 #[repr(align(64))]
 pub struct Pack {

@@ -11,8 +11,8 @@ use crate::needs::Needs;
 use crate::ray::Ray;
 use crate::scalar::{Scalar, Unit};
 
-/// Which object hid each lamp from the last point that it was hidden from: it is the first to be asked the next time (E. Haines
-/// and D. Greenberg, "The Light Buffer", IEEE CG&A 6, 1986, section on coherence). Nothing where there are no lanes.
+/// Which object hid each lamp from the last point that it was hidden from: it is the first to be asked the next time (the shadow
+/// cache, after E. Haines and D. Greenberg, "The Light Buffer", IEEE CG&A 6, 1986). Nothing where there are no lanes.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Occluders([Item; OCCLUDERS]);
 
