@@ -210,7 +210,7 @@ impl<'a, 'w> Search<'a, 'w> {
 
     /// The next leaf, near ones first.
     #[inline(always)]
-    pub(crate) fn near_leaf(&mut self) -> Option<&'a [Pack]> {
+    pub(crate) fn leaf(&mut self) -> Option<&'a [Pack]> {
         loop {
             let (mut child, near) = self.waiting.pop()?;
             if near > self.probe.t_max {
@@ -237,21 +237,6 @@ impl<'a, 'w> Search<'a, 'w> {
             }
             if child.number().is_none() {
                 return Some(self.run(child));
-            }
-        }
-    }
-
-    /// The next leaf, in any order.
-    #[inline(always)]
-    pub(crate) fn leaf(&mut self) -> Option<&'a [Pack]> {
-        loop {
-            let (child, _) = self.waiting.pop()?;
-            let Some(number) = child.number() else { return Some(self.run(child)) };
-            let node = self.nodes.get(number)?;
-            let (near, mask) = self.slabs.enter(node, self.probe.t_max);
-            for k in Bits(mask) {
-                let (Some(&child), Some(&near)) = (node.children.get(k), near.get(k)) else { break };
-                let _ = self.waiting.push((child, near));
             }
         }
     }

@@ -207,7 +207,7 @@ impl<S: Scalar> Scene<'_, S> {
         } else {
             let mut waiting = Waiting::new();
             let mut search = Search::new(probe, self.lanes.nodes, &mut waiting);
-            while let Some(packs) = search.near_leaf() {
+            while let Some(packs) = search.leaf() {
                 self.nearest_of::<N>(packs, ray, &mut search.probe, &mut best);
             }
         }
