@@ -13,7 +13,7 @@ use rta_core::ray::Ray;
 use rta_core::scalar::Unit;
 use rta_core::vector::{UnitVec3, UnitVector, Vector};
 use rta_core::{Q16, Q20};
-use rta_scenes::description::{Cone, Description, Ellipsoid, Sphere, Surface, Triangle};
+use rta_scenes::description::{Cone, Cylinder, Description, Ellipsoid, Sphere, Surface, Triangle};
 use rta_scenes::narrow::{Built, Narrow, narrow};
 use rta_tests::exact::{DEPTH, Exact, OneByOne, shipped_scene};
 use rta_tests::random_scenes;
@@ -211,4 +211,50 @@ fn lanes_that_are_wrong_are_refused() {
     assert!(refused(&|lanes| lanes.packs[0].items[0] = Item::Sphere(10)), "there is no such sphere");
     assert!(refused(&|lanes| lanes.posts[1].cylinders[1] = 6), "there is no such cylinder");
     assert!(refused(&|lanes| lanes.posts.truncate(1)), "two cylinders are missing");
+}
+
+/// The nearest hits and shadows of rays from so far away that lanes cannot tell anything; and how many there were.
+fn compare_far<S: Narrow>() -> usize {
+    let mut scene = medley(20, 5.0, 11);
+    // All of a size that is seen from there, about the origin and beside it.
+    let size = 1e16;
+    for sphere in &mut scene.spheres {
+        (sphere.position, sphere.radius) = (sphere.position.map(|c| c * size / 5.0), sphere.radius * size);
+    }
+    scene.spheres[0].position = [0.0; 3];
+    for cone in &mut scene.cones {
+        (cone.base, cone.apex) = (cone.base.map(|c| c * size / 5.0), cone.apex.map(|c| c * size / 5.0));
+        (cone.base_radius, cone.apex_radius) = (cone.base_radius * size, cone.apex_radius * size);
+    }
+    scene.triangles.clear();
+    scene.ellipsoids.clear();
+    scene.floor = None;
+    let color = [0.5; 3];
+    let (surface, line) = (Surface::Opaque, 0);
+    scene.cylinders.push(Cylinder { position: [0.3 * size; 3], color, radius: 0.2 * size, surface, line });
+    let narrowed = narrow::<S>(&scene, 1.0).expect("it fits");
+    assert!(!LANES || !narrowed.lanes.nodes.is_empty(), "there are objects enough");
+    let (scene, lid, mut rng, mut met) = (narrowed.scene(), S::FAR, Rng::with_seed(1), 0);
+    for _ in 0..2000 {
+        let from = [(); 3].map(|()| 6e17 * (rng.f64() - 0.5));
+        let way = from.map(|c| size * (rng.f64() - 0.5) - c);
+        let length = way.iter().map(|c| c * c).sum::<f64>().sqrt();
+        let ([x, y, z], [dx, dy, dz]) = (from.map(S::length), way.map(|c| S::unit(c / length)));
+        let Some((direction, _)) = UnitVec3::<S>::new(dx, dy, dz).normalize() else { continue };
+        let ray = Ray::new::<Everything>(Vector::new(x, y, z), direction);
+        let (with, without) = (scene.nearest::<Everything>(&ray, lid), scene.nearest::<OneByOne>(&ray, lid));
+        assert_eq!(with.map(|hit| hit.object), without.map(|hit| hit.object), "{ray:?}");
+        assert!(with.map(|hit| hit.distance) == without.map(|hit| hit.distance), "{ray:?}");
+        let shadow = scene.transmittance::<OneByOne>(&ray, S::FAR, lid);
+        assert!(scene.transmittance::<Everything>(&ray, S::FAR, lid) == shadow, "{ray:?}");
+        met += usize::from(with.is_some());
+    }
+    met
+}
+
+#[test]
+fn rays_from_beyond_the_lanes_meet_the_same() {
+    for met in [compare_far::<f32>(), compare_far::<f64>()] {
+        assert!(met > 200, "only {met} rays met anything");
+    }
 }

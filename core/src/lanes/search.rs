@@ -93,6 +93,17 @@ impl<'a> Probe<'a> {
         Met { mask, along: b, across }
     }
 
+    /// The distance of a hit nearer than `t_max`, if item `k` of a pack is a sphere. Nothing where it has to be asked itself: in
+    /// another format, and for a ray from too far away.
+    #[inline(always)]
+    pub(crate) fn sphere<S: Scalar>(&self, pack: &Pack, met: &Met, k: usize, t_max: S) -> Option<Option<S>> {
+        if self.ray.margin == f32::INFINITY {
+            return None;
+        }
+        let lane = |four: &Vec4| four.as_ref().get(k).copied();
+        S::of_lane(lane(&met.along)?, lane(&met.across)?, lane(&pack.radius)?, t_max)
+    }
+
     /// Which of four vertical cylinders the ray may meet ahead and before its end: as [`Probe::meet_rods`] sees it. Its way
     /// seen from above is not longer than the way.
     #[inline(always)]
@@ -102,11 +113,12 @@ impl<'a> Probe<'a> {
         let (x, y, r) = (cx - ox, cy - oy, posts.radius + margin);
         let (b, s) = (x * dx + y * dy, ((x * dy - y * dx).abs() - margin).max(Vec4::ZERO));
         let is_along = (b + r).cmpgt(Vec4::ZERO) & (b - r).cmplt(Vec4::splat(self.t_max));
-        Bits(((s * s).cmple(r * r * (dx * dx + dy * dy)) & is_along).bitmask())
+        Bits((is_along & !(s * s).cmpgt(r * r * (dx * dx + dy * dy))).bitmask())
     }
 
     /// A bit for each cylinder that the ray meets if it is endless too. The nearest of the two lines is `|s| / |n|`, with `n`
-    /// normal to both; `s` errs by less than the margin, as a foot point does.
+    /// normal to both; `s` errs by less than the margin, as a foot point does. What is no number, as where the margin is
+    /// infinite, is met.
     #[inline]
     fn meet_rods(&self, pack: &Pack, rods: &Rods) -> u32 {
         let ([ox, oy, oz], [dx, dy, dz], [cx, cy, cz]) = (self.origin, self.direction, pack.center);
@@ -114,7 +126,7 @@ impl<'a> Probe<'a> {
         let (nx, ny, nz) = (dy * az - dz * ay, dz * ax - dx * az, dx * ay - dy * ax);
         let s = (cx - ox) * nx + (cy - oy) * ny + (cz - oz) * nz;
         let (s, r) = ((s.abs() - margin).max(Vec4::ZERO), rods.radius + margin);
-        (s * s).cmple(r * r * (nx * nx + ny * ny + nz * nz)).bitmask()
+        (!(s * s).cmpgt(r * r * (nx * nx + ny * ny + nz * nz))).bitmask()
     }
 }
 
@@ -132,14 +144,6 @@ impl Met {
     #[inline(always)]
     pub(crate) fn items(&self) -> Bits {
         Bits(self.mask)
-    }
-
-    /// The distance of a hit nearer than `t_max`, if item `k` of the pack is a sphere. Nothing in a format that has to look for
-    /// itself.
-    #[inline(always)]
-    pub(crate) fn sphere<S: Scalar>(&self, pack: &Pack, k: usize, t_max: S) -> Option<Option<S>> {
-        let lane = |four: &Vec4| four.as_ref().get(k).copied();
-        S::of_lane(lane(&self.along)?, lane(&self.across)?, lane(&pack.radius)?, t_max)
     }
 }
 

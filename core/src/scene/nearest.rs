@@ -79,9 +79,8 @@ impl<S: Scalar> Scene<'_, S> {
     #[inline(always)]
     pub(super) fn meet_lane<N: Needs>(
         &self,
-        pack: &Pack,
-        met: &Met,
-        k: usize,
+        probe: &Probe,
+        (pack, met, k): (&Pack, &Met, usize),
         ray: &Ray<S>,
         t_max: S,
     ) -> Option<Hit<S>> {
@@ -91,7 +90,7 @@ impl<S: Scalar> Scene<'_, S> {
             Item::Lamp(i) if N::VISIBLE_LAMPS => Object::Lamp(index(i)),
             _ => return self.meet_other::<N>(item, ray, t_max),
         };
-        match met.sphere(pack, k, t_max) {
+        match probe.sphere(pack, met, k, t_max) {
             Some(distance) => Some(Hit { distance: distance?, object }),
             None => self.meet::<N>(item, ray, t_max),
         }
@@ -220,7 +219,7 @@ impl<S: Scalar> Scene<'_, S> {
         for pack in packs {
             let met = probe.meet(pack);
             for k in met.items() {
-                let found = self.meet_lane::<N>(pack, &met, k, ray, best.limit);
+                let found = self.meet_lane::<N>(probe, (pack, &met, k), ray, best.limit);
                 if let Some(distance) = found.and_then(|found| best.offer(found)) {
                     probe.shorten(distance);
                 }

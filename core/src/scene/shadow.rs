@@ -198,7 +198,7 @@ impl<S: Scalar> Scene<'_, S> {
             for k in met.items() {
                 if let Some(&item) = pack.items.get(k)
                     && !matches!(item, Item::Lamp(_))
-                    && self.meet_lane::<N>(pack, &met, k, ray, t_max).is_some()
+                    && self.meet_lane::<N>(probe, (pack, &met, k), ray, t_max).is_some()
                     && !self.item_material(item).is_none_or(|material| shade.pass::<N>(item, material))
                 {
                     return item;
