@@ -10,11 +10,13 @@
 //! the others on a stack of fixed size. Firmware goes by [`bvh`](crate::bvh) or [`hierarchy`](crate::hierarchy) instead.
 #![allow(clippy::float_arithmetic)] // machines without lanes have none of it
 
+mod cube;
 mod search;
 
 use glam::Vec4;
 
 use crate::bvh::{Child, Item, first_wrong, index};
+pub use cube::{Cube, Entry, Face};
 pub(crate) use search::{Met, Probe, Search, Waiting};
 
 /// Whether the machine that this is compiled for has lanes.
@@ -67,17 +69,22 @@ pub struct Pack {
     pub items: [Item; 4],
     /// Where there are cones among them, the number of their [`Rods`]; else [`Pack::NO_RODS`].
     pub rods: u32,
+    /// Where there are triangles among them, the number of their [`Sheets`]; else [`Pack::NO_SHEETS`].
+    pub sheets: u32,
 }
 
 impl Pack {
     /// No cones.
     pub const NO_RODS: u32 = u32::MAX;
+    /// No triangles.
+    pub const NO_SHEETS: u32 = u32::MAX;
     /// No spheres.
     pub const EMPTY: Self = Self {
         center: [Vec4::ZERO; 3],
         radius: Vec4::NEG_INFINITY,
         items: [Item::Sphere(u32::MAX); 4],
         rods: Self::NO_RODS,
+        sheets: Self::NO_SHEETS,
     };
 }
 
@@ -93,6 +100,21 @@ pub struct Rods {
 impl Rods {
     /// About everything.
     pub const EMPTY: Self = Self { axis: [Vec4::ZERO; 3], radius: Vec4::ZERO };
+}
+
+/// The planes of the triangles of a pack, as the picture has them: in `f32` it is told by these numbers which of them a ray leads
+/// away from.
+#[derive(Clone, Copy, Debug)]
+pub struct Sheets {
+    /// x, y and z of their corners.
+    pub corner: [Vec4; 3],
+    /// x, y and z of their normals; of what is no triangle, NaN.
+    pub normal: [Vec4; 3],
+}
+
+impl Sheets {
+    /// No planes.
+    pub const EMPTY: Self = Self { corner: [Vec4::ZERO; 3], normal: [Vec4::NAN; 3] };
 }
 
 /// Four vertical cylinders, seen from above.
@@ -125,15 +147,33 @@ pub struct Lanes<'a> {
     pub packs: &'a [Pack],
     /// What the packs name.
     pub rods: &'a [Rods],
+    /// What they name too.
+    pub sheets: &'a [Sheets],
     /// The vertical cylinders, in the order of their list.
     pub posts: &'a [Posts],
+    /// What is seen from the eye, and from each lamp; or no cubes. They belong to nodes.
+    pub cubes: &'a [Cube],
+    /// The first entry of each cell of the cubes, and where those of the last end.
+    pub cells: &'a [u32],
+    /// The packs that the cells have.
+    pub entries: &'a [Entry],
     /// The largest size of a coordinate.
     pub size: f32,
 }
 
 impl Lanes<'_> {
     /// No hierarchy.
-    pub const NONE: Self = Self { nodes: &[], packs: &[], rods: &[], posts: &[], size: 0.0 };
+    pub const NONE: Self = Self {
+        nodes: &[],
+        packs: &[],
+        rods: &[],
+        sheets: &[],
+        posts: &[],
+        cubes: &[],
+        cells: &[],
+        entries: &[],
+        size: 0.0,
+    };
 
     /// The first node that is wrong; without nodes it is 0 where something is missing. `counts` are the numbers of spheres,
     /// ellipsoids, cones, triangles and visible lamps, `cylinders` that of cylinders, and `lamps` that of all lamps.

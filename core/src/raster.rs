@@ -93,19 +93,20 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize> Pixels<'a,
         let (end, occluders) = (end.min(raster.height), Occluders::new());
         Self { tracer, camera, raster, x: 0, y: first, end, height, occluders }
     }
-}
 
-impl<S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize> Iterator for Pixels<'_, S, M, N, STACK> {
-    type Item = Rgb<S::Light>;
-
-    #[inline]
-    fn next(&mut self) -> Option<Self::Item> {
+    /// The next one. Tracer and camera are its own, as arguments: in a loop it is only known of those that nothing changes them.
+    #[inline(always)]
+    fn step(
+        &mut self,
+        tracer: &Tracer<'_, S, M, N, STACK>,
+        camera: &Camera<S>,
+    ) -> Option<Rgb<S::Light>> {
         if self.y >= self.end {
             return None;
         }
         let x = Raster::center(self.x, self.raster.width);
-        let direction = self.camera.direction(x, -self.height);
-        let light = self.tracer.primary_after(self.camera, direction, &mut self.occluders);
+        let direction = camera.direction(x, -self.height);
+        let light = tracer.primary_after(camera, direction, &mut self.occluders);
         self.x += 1;
         if self.x == self.raster.width {
             self.x = 0;
@@ -115,10 +116,39 @@ impl<S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize> Iterator for P
         Some(light)
     }
 
+    /// All that are left.
+    fn all<B>(
+        mut self,
+        tracer: &Tracer<'_, S, M, N, STACK>,
+        camera: &Camera<S>,
+        init: B,
+        mut f: impl FnMut(B, Rgb<S::Light>) -> B,
+    ) -> B {
+        let mut folded = init;
+        while let Some(light) = self.step(tracer, camera) {
+            folded = f(folded, light);
+        }
+        folded
+    }
+}
+
+impl<S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize> Iterator for Pixels<'_, S, M, N, STACK> {
+    type Item = Rgb<S::Light>;
+
+    #[inline]
+    fn next(&mut self) -> Option<Self::Item> {
+        self.step(self.tracer, self.camera)
+    }
+
     fn size_hint(&self) -> (usize, Option<usize>) {
         let rows = u64::from(self.end.saturating_sub(self.y));
         let left = rows * u64::from(self.raster.width) - u64::from(self.x);
         usize::try_from(left).map_or((usize::MAX, None), |left| (left, Some(left)))
+    }
+
+    fn fold<B, F: FnMut(B, Self::Item) -> B>(self, init: B, f: F) -> B {
+        let (tracer, camera) = (self.tracer, self.camera);
+        self.all(tracer, camera, init, f)
     }
 }
 

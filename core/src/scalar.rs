@@ -106,6 +106,8 @@ pub trait Scalar:
     /// above `far`: more than the object in it, its own test and that in `f32` can be wrong together.
     fn coarse_margin(far: f32) -> f32;
 
+    /// Whether [`lanes`](crate::lanes) compute with these very numbers.
+    const IN_LANES: bool = false;
     /// The distance of a sphere's nearest hit in ]0, `t_max`[ from what [`lanes`](crate::lanes) know of it: the distance of the foot
     /// point, the square of how far that is from the centre, and the radius. Nothing in a format that is finer or coarser
     /// than `f32`, which has to look for itself.

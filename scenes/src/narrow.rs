@@ -20,6 +20,7 @@ use crate::space::{cross, unit};
 mod bounds;
 mod bvh;
 mod cone;
+mod cube;
 mod formats;
 mod hierarchy;
 mod lanes;
@@ -271,7 +272,7 @@ fn lamp<S: Narrow>(index: usize, lamp: &description::Lamp) -> Result<Lamp<S>, Na
 /// The first thing that the format cannot hold, with its size and the limit.
 pub fn narrow<S: Narrow>(description: &Description, aspect: f64) -> Result<Narrowed<S>, NarrowError> {
     // Before the lists: what it takes to build is gone when they come.
-    let lanes = if LANES { lanes::build(description) } else { Built::default() };
+    let lanes = if LANES { lanes::build::<S>(description) } else { Built::default() };
     let mut cylinders = Vec::with_capacity(description.cylinders.len());
     for (i, c) in description.cylinders.iter().enumerate() {
         let check = Checker::<S>::new("cylinder", i, c.line);

@@ -3,7 +3,7 @@
 use glam::Vec4;
 use heapless::Vec;
 
-use super::{Boxes, LARGEST, Lanes, Pack, Posts, Rods};
+use super::{Boxes, LARGEST, Lanes, Pack, Posts, Rods, Sheets};
 use crate::bvh::{Bits, Child, MAX_DEPTH};
 use crate::ray::Ray;
 use crate::scalar::{Scalar, Unit};
@@ -16,10 +16,10 @@ const STACK: usize = 3 * MAX_DEPTH + 1;
 const LEAST: f32 = 1e-12;
 
 /// A ray in `f32`.
-struct CoarseRay {
-    origin: Vec4,
-    direction: Vec4,
-    margin: f32,
+pub(super) struct CoarseRay {
+    pub(super) origin: Vec4,
+    pub(super) direction: Vec4,
+    pub(super) margin: f32,
 }
 
 impl CoarseRay {
@@ -48,10 +48,11 @@ fn splat(v: Vec4) -> [Vec4; 3] {
 pub(crate) struct Probe<'a> {
     packs: &'a [Pack],
     rods: &'a [Rods],
-    ray: CoarseRay,
+    sheets: &'a [Sheets],
+    pub(super) ray: CoarseRay,
     origin: [Vec4; 3],
     direction: [Vec4; 3],
-    t_max: f32,
+    pub(super) t_max: f32,
 }
 
 impl<'a> Probe<'a> {
@@ -62,6 +63,7 @@ impl<'a> Probe<'a> {
         Self {
             packs: lanes.packs,
             rods: lanes.rods,
+            sheets: lanes.sheets,
             origin: splat(ray.origin),
             direction: splat(ray.direction),
             t_max: t_max.coarse() + ray.margin,
@@ -75,9 +77,15 @@ impl<'a> Probe<'a> {
         self.t_max = t.coarse() + self.ray.margin;
     }
 
+    /// Whether what is not nearer than `near` is beyond its end.
+    #[inline(always)]
+    pub(crate) fn ends_before(&self, near: f32) -> bool {
+        near > self.t_max
+    }
+
     /// Which of a pack's items the ray may meet ahead and before its end.
     #[inline(always)]
-    pub(crate) fn meet(&self, pack: &Pack) -> Met {
+    pub(crate) fn meet<S: Scalar>(&self, pack: &Pack) -> Met {
         let ([ox, oy, oz], [dx, dy, dz], [cx, cy, cz]) = (self.origin, self.direction, pack.center);
         let (x, y, z) = (cx - ox, cy - oy, cz - oz);
         let b = x * dx + y * dy + z * dz;
@@ -89,6 +97,10 @@ impl<'a> Probe<'a> {
         if mask != 0 && pack.rods != Pack::NO_RODS {
             let rods = usize::try_from(pack.rods).ok().and_then(|number| self.rods.get(number));
             mask &= rods.map_or(mask, |rods| self.meet_rods(pack, rods));
+        }
+        if S::IN_LANES && mask != 0 && pack.sheets != Pack::NO_SHEETS {
+            let sheets = usize::try_from(pack.sheets).ok().and_then(|number| self.sheets.get(number));
+            mask &= !sheets.map_or(0, |sheets| self.leave_sheets(sheets));
         }
         Met { mask, along: b, across }
     }
@@ -114,6 +126,19 @@ impl<'a> Probe<'a> {
         let (b, s) = (x * dx + y * dy, ((x * dy - y * dx).abs() - margin).max(Vec4::ZERO));
         let is_along = (b + r).cmpgt(Vec4::ZERO) & (b - r).cmplt(Vec4::splat(self.t_max));
         Bits((is_along & !(s * s).cmpgt(r * r * (dx * dx + dy * dy))).bitmask())
+    }
+
+    /// A bit for each triangle that the ray leads away from: the first test of [`Triangle`](crate::shape::Triangle), by the same
+    /// arithmetic. None of a ray from too far away, whose numbers are not its own.
+    #[inline]
+    fn leave_sheets(&self, sheets: &Sheets) -> u32 {
+        let ([ox, oy, oz], [dx, dy, dz]) = (self.origin, self.direction);
+        let ([x, y, z], [nx, ny, nz]) = (sheets.corner, sheets.normal);
+        let height = (x - ox) * nx + (y - oy) * ny + (z - oz) * nz;
+        let cosine = nx * dx + ny * dy + nz * dz;
+        let zero = Vec4::ZERO;
+        let behind = (cosine.cmpgt(zero) & height.cmple(zero)) | (cosine.cmple(zero) & height.cmpge(zero));
+        if self.ray.margin < f32::INFINITY { behind.bitmask() } else { 0 }
     }
 
     /// A bit for each cylinder that the ray meets if it is endless too. The nearest of the two lines is `|s| / |n|`, with `n`

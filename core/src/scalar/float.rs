@@ -285,6 +285,7 @@ macro_rules! float {
 }
 
 float!(f32, glam::Vec3, libm::sqrtf, i32, 1e18, size32, {
+    const IN_LANES: bool = true;
     /// The lanes have done the search's own arithmetic, in its order.
     #[inline]
     fn of_lane(along: f32, across: f32, radius: f32, t_max: f32) -> Option<Option<f32>> {

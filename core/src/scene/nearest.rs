@@ -203,7 +203,7 @@ impl<S: Scalar> Scene<'_, S> {
         }
         if self.lanes.nodes.is_empty() {
             self.nearest_of::<N>(self.lanes.packs, ray, &mut probe, &mut best);
-        } else {
+        } else if !self.nearest_seen::<N>(ray, &mut probe, &mut best) {
             let mut waiting = Waiting::new();
             let mut search = Search::new(probe, self.lanes.nodes, &mut waiting);
             while let Some(packs) = search.leaf() {
@@ -213,11 +213,26 @@ impl<S: Scalar> Scene<'_, S> {
         best.hit
     }
 
+    /// The nearest hit with what is seen from the eye in a ray's direction; false if the ray does not start there, or if there
+    /// may be more.
+    #[inline(always)]
+    fn nearest_seen<N: Needs>(&self, ray: &Ray<S>, probe: &mut Probe, best: &mut Best<S>) -> bool {
+        let Some(entries) = self.lanes.from_eye(probe) else { return false };
+        for entry in entries {
+            if probe.ends_before(entry.near) {
+                return true;
+            }
+            let Some(pack) = self.lanes.packs.get(index(entry.pack)) else { return false };
+            self.nearest_of::<N>(core::slice::from_ref(pack), ray, probe, best);
+        }
+        true
+    }
+
     /// The nearest hit with some packs.
     #[inline(always)]
     fn nearest_of<N: Needs>(&self, packs: &[Pack], ray: &Ray<S>, probe: &mut Probe, best: &mut Best<S>) {
         for pack in packs {
-            let met = probe.meet(pack);
+            let met = probe.meet::<S>(pack);
             for k in met.items() {
                 let found = self.meet_lane::<N>(probe, (pack, &met, k), ray, best.limit);
                 if let Some(distance) = found.and_then(|found| best.offer(found)) {

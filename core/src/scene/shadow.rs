@@ -94,8 +94,7 @@ impl<S: Scalar> Scene<'_, S> {
         let mut light;
         let mut has_cylinders = N::CYLINDERS;
         if self.is_laned::<N>() {
-            let Some(last) = occluders.of(lamp) else { return zero };
-            let Some(through) = self.through_lanes::<N>(ray, t_max, lid, last) else { return zero };
+            let Some(through) = self.through_lanes::<N>(ray, t_max, lid, lamp, occluders) else { return zero };
             (light, has_cylinders) = through;
         } else if self.is_boxed::<N>() {
             let mut shade = Shade(Vec::new());
@@ -139,8 +138,10 @@ impl<S: Scalar> Scene<'_, S> {
         ray: &Ray<S>,
         t_max: S,
         lid: S,
-        last: &mut Item,
+        lamp: usize,
+        occluders: &mut Occluders,
     ) -> Option<(S::Unit, bool)> {
+        let last = occluders.of(lamp)?;
         if *last != Item::NONE {
             if self.meet::<N>(*last, ray, t_max).is_some() {
                 return None;
@@ -167,6 +168,19 @@ impl<S: Scalar> Scene<'_, S> {
         let mut shade = Shade(Vec::new());
         if self.lanes.nodes.is_empty() {
             *last = self.first_opaque_of::<N>(self.lanes.packs, ray, t_max, &probe, &mut shade);
+        } else if let Some((entries, far)) = self.lanes.to_lamp(&probe, lamp) {
+            for entry in entries {
+                if entry.near > far {
+                    break;
+                }
+                if let Some(pack) = self.lanes.packs.get(index(entry.pack)) {
+                    let packs = core::slice::from_ref(pack);
+                    *last = self.first_opaque_of::<N>(packs, ray, t_max, &probe, &mut shade);
+                    if *last != Item::NONE {
+                        break;
+                    }
+                }
+            }
         } else {
             let mut waiting = Waiting::new();
             let mut search = Search::new(probe, self.lanes.nodes, &mut waiting);
@@ -194,7 +208,7 @@ impl<S: Scalar> Scene<'_, S> {
         shade: &mut Shade<S>,
     ) -> Item {
         for pack in packs {
-            let met = probe.meet(pack);
+            let met = probe.meet::<S>(pack);
             for k in met.items() {
                 if let Some(&item) = pack.items.get(k)
                     && !matches!(item, Item::Lamp(_))

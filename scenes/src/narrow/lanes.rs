@@ -1,9 +1,12 @@
 //! Builds the hierarchy of machines with lanes.
 
 use rta_core::bvh::{Child, Item, MAX_DEPTH};
-use rta_core::lanes::{Boxes, LARGEST, Lanes, Pack, Posts, Rods};
+use rta_core::scalar::{Scalar, Unit};
+use rta_core::vector::Vector;
+use rta_core::lanes::{Boxes, Cube, Entry, LARGEST, Lanes, Pack, Posts, Rods, Sheets};
 
 use super::bounds::Bounds;
+use super::{Narrow, cube, triangle};
 use super::tree::{Costs, Solid, Tree, four, solids, tree};
 use crate::description::Description;
 use crate::space::{difference, length};
@@ -22,8 +25,16 @@ pub struct Built {
     pub packs: Vec<Pack>,
     /// Cylinders about the cones among them.
     pub rods: Vec<Rods>,
+    /// Planes of the triangles among them, where the format is that of the lanes.
+    pub sheets: Vec<Sheets>,
     /// Vertical cylinders, four by four.
     pub posts: Vec<Posts>,
+    /// What is seen from the eye, and from each lamp.
+    pub cubes: Vec<Cube>,
+    /// The first entry of each of their cells.
+    pub cells: Vec<u32>,
+    /// What the cells have.
+    pub entries: Vec<Entry>,
     /// The largest size of a coordinate.
     pub size: f32,
 }
@@ -32,8 +43,8 @@ impl Built {
     /// The hierarchy, borrowed.
     #[must_use]
     pub fn lanes(&self) -> Lanes<'_> {
-        let Self { nodes, packs, rods, posts, size } = self;
-        Lanes { nodes, packs, rods, posts, size: *size }
+        let Self { nodes, packs, rods, sheets, posts, cubes, cells, entries, size } = self;
+        Lanes { nodes, packs, rods, sheets, posts, cubes, cells, entries, size: *size }
     }
 }
 
@@ -41,7 +52,7 @@ impl Built {
 type Ball = ([f64; 3], f64);
 
 /// The hierarchy of a scene; none where a coordinate is too large for one.
-pub(super) fn build(scene: &Description) -> Built {
+pub(super) fn build<S: Narrow>(scene: &Description) -> Built {
     let mut solids = solids(scene);
     let lamps = scene.lamps.iter().zip(0..).filter(|(lamp, _)| lamp.radius > 0.0);
     solids.extend(lamps.map(|(lamp, i)| Solid::sphere(lamp.position, lamp.radius, Item::Lamp(i))));
@@ -66,24 +77,32 @@ pub(super) fn build(scene: &Description) -> Built {
         }
         built.posts.push(posts);
     }
+    let mut maker = Maker::<S> { scene, solids: &[], built, runs: Vec::new(), format: core::marker::PhantomData };
     if solids.len() <= FEW {
-        pack(scene, &solids, &mut built);
-        return built;
+        maker.solids = &solids;
+        maker.pack(0, solids.len());
+        return maker.built;
     }
     let tree = tree(&mut solids, 0, 0, &COSTS);
-    built.packs.reserve_exact(packs(&tree));
-    if emit(scene, &tree, &solids, true, &mut built) > MAX_DEPTH {
-        built.nodes.clear();
-        built.packs.clear();
-        built.rods.clear();
-        emit(scene, &tree, &solids, false, &mut built);
+    maker.solids = &solids;
+    maker.built.packs.reserve_exact(packs(&tree));
+    if maker.emit(&tree, true) > MAX_DEPTH {
+        maker.built.nodes.clear();
+        maker.built.packs.clear();
+        maker.built.rods.clear();
+        maker.built.sheets.clear();
+        maker.runs.clear();
+        maker.emit(&tree, false);
     }
+    drop(tree);
+    let Maker { mut built, runs, .. } = maker;
+    cube::build::<S>(scene, &solids, &runs, &mut built);
     built
 }
 
 /// The nearest; the search has a margin for that.
 #[allow(clippy::cast_possible_truncation)] // within the format
-fn single(value: f64) -> f32 {
+pub(super) fn single(value: f64) -> f32 {
     value as f32
 }
 
@@ -113,6 +132,17 @@ fn rod(scene: &Description, item: Item) -> Option<([f64; 3], f64)> {
     let way = difference(cone.apex, cone.base);
     let length = length(way);
     Some((way.map(|c| c / length), cone.base_radius.max(cone.apex_radius)))
+}
+
+/// The corner and the normal of a triangle, in the picture's own numbers.
+fn sheet<S: Narrow>(scene: &Description, item: Item) -> Option<([f32; 3], [f32; 3])> {
+    let Item::Triangle(i) = item else { return None };
+    let triangle = triangle::narrow::<S>(0, scene.triangles.get(i as usize)?).ok()?;
+    let (corner, normal) = (triangle.corner, triangle.normal);
+    Some((
+        [corner.x().coarse(), corner.y().coarse(), corner.z().coarse()],
+        [normal.x().coarse(), normal.y().coarse(), normal.z().coarse()],
+    ))
 }
 
 fn middle(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
@@ -160,66 +190,93 @@ fn packs(tree: &Tree) -> usize {
     }
 }
 
-/// Appends some objects, and says how many packs they are.
-fn pack(scene: &Description, solids: &[Solid], built: &mut Built) -> usize {
-    for four in solids.chunks(4) {
-        let (mut pack, mut rods) = (Pack::EMPTY, Rods::EMPTY);
-        for (slot, solid) in four.iter().enumerate() {
-            let item = pack.items.get_mut(slot);
-            let (Some(item), Some((center, reach))) = (item, ball(scene, solid.item)) else { continue };
-            *item = solid.item;
-            pack.radius[slot] = single(reach);
-            for (places, place) in pack.center.iter_mut().zip(center) {
-                places[slot] = single(place);
-            }
-            if let Some((axis, radius)) = rod(scene, solid.item) {
-                rods.radius[slot] = single(radius);
-                for (axes, axis) in rods.axis.iter_mut().zip(axis) {
-                    axes[slot] = single(axis);
-                }
-                pack.rods = u32::try_from(built.rods.len()).unwrap_or(Pack::NO_RODS);
-            }
-        }
-        if pack.rods != Pack::NO_RODS {
-            built.rods.push(rods);
-        }
-        built.packs.push(pack);
-    }
-    solids.len().div_ceil(4)
+/// What writes nodes and packs.
+struct Maker<'a, S> {
+    scene: &'a Description,
+    solids: &'a [Solid],
+    built: Built,
+    /// The first object of each pack, and how many it has.
+    runs: Vec<(u32, u32)>,
+    format: core::marker::PhantomData<S>,
 }
 
-/// Writes a tree as nodes of four, preorder, and says how many levels they have.
-fn emit(scene: &Description, tree: &Tree, solids: &[Solid], by_size: bool, built: &mut Built) -> usize {
-    let children = four(tree, by_size);
-    let number = built.nodes.len();
-    let mut node = Boxes::EMPTY;
-    for (slot, child) in children.iter().enumerate() {
-        let Bounds { low, high } = child.bounds();
-        for ([lows, highs], (&low, &high)) in node.planes.iter_mut().zip(low.iter().zip(high)) {
-            if slot < 4 {
-                (lows[slot], highs[slot]) = (single(low), single(high));
+impl<S: Narrow> Maker<'_, S> {
+    /// Appends `count` objects, and says how many packs they are.
+    fn pack(&mut self, first: usize, count: usize) -> usize {
+        let run = self.solids.get(first..first + count).unwrap_or_default();
+        for (four, first) in run.chunks(4).zip((first..).step_by(4)) {
+            let (mut pack, mut rods, mut sheets) = (Pack::EMPTY, Rods::EMPTY, Sheets::EMPTY);
+            for (slot, solid) in four.iter().enumerate() {
+                let item = pack.items.get_mut(slot);
+                let (Some(item), Some((center, reach))) = (item, ball(self.scene, solid.item)) else {
+                    continue;
+                };
+                *item = solid.item;
+                pack.radius[slot] = single(reach);
+                for (places, place) in pack.center.iter_mut().zip(center) {
+                    places[slot] = single(place);
+                }
+                if let Some((axis, radius)) = rod(self.scene, solid.item) {
+                    rods.radius[slot] = single(radius);
+                    for (axes, axis) in rods.axis.iter_mut().zip(axis) {
+                        axes[slot] = single(axis);
+                    }
+                    pack.rods = as_number(self.built.rods.len());
+                }
+                if S::IN_LANES && let Some((corner, normal)) = sheet::<S>(self.scene, solid.item) {
+                    for (places, place) in sheets.corner.iter_mut().zip(corner).chain(sheets.normal.iter_mut().zip(normal)) {
+                        places[slot] = place;
+                    }
+                    pack.sheets = as_number(self.built.sheets.len());
+                }
+            }
+            if pack.rods != Pack::NO_RODS {
+                self.built.rods.push(rods);
+            }
+            if pack.sheets != Pack::NO_SHEETS {
+                self.built.sheets.push(sheets);
+            }
+            self.built.packs.push(pack);
+            self.runs.push((as_number(first), as_number(four.len())));
+        }
+        count.div_ceil(4)
+    }
+
+    /// Writes a tree as nodes of four, preorder, and says how many levels they have.
+    fn emit(&mut self, tree: &Tree, by_size: bool) -> usize {
+        let children = four(tree, by_size);
+        let number = self.built.nodes.len();
+        let mut node = Boxes::EMPTY;
+        for (slot, child) in children.iter().enumerate() {
+            let Bounds { low, high } = child.bounds();
+            for ([lows, highs], (&low, &high)) in node.planes.iter_mut().zip(low.iter().zip(high)) {
+                if slot < 4 {
+                    (lows[slot], highs[slot]) = (single(low), single(high));
+                }
             }
         }
-    }
-    built.nodes.push(node);
-    let as_number = |index: usize| u32::try_from(index).unwrap_or(u32::MAX);
-    let mut kinds = [Child::EMPTY; 4];
-    for (kind, child) in kinds.iter_mut().zip(&children) {
-        if let Tree::Leaf(_, first, count) = child {
-            let run = solids.get(*first..first + count).unwrap_or_default();
-            let first = built.packs.len();
-            *kind = Child::leaf(as_number(first), as_number(pack(scene, run, built)));
+        self.built.nodes.push(node);
+        let mut kinds = [Child::EMPTY; 4];
+        for (kind, child) in kinds.iter_mut().zip(&children) {
+            if let Tree::Leaf(_, first, count) = child {
+                let pack = self.built.packs.len();
+                *kind = Child::leaf(as_number(pack), as_number(self.pack(*first, *count)));
+            }
         }
-    }
-    let mut depth = 0;
-    for (kind, child) in kinds.iter_mut().zip(&children) {
-        if let Tree::Pair(..) = child {
-            *kind = Child::node(as_number(built.nodes.len()));
-            depth = depth.max(emit(scene, child, solids, by_size, built));
+        let mut depth = 0;
+        for (kind, child) in kinds.iter_mut().zip(&children) {
+            if let Tree::Pair(..) = child {
+                *kind = Child::node(as_number(self.built.nodes.len()));
+                depth = depth.max(self.emit(child, by_size));
+            }
         }
+        if let Some(node) = self.built.nodes.get_mut(number) {
+            node.children = kinds;
+        }
+        depth + 1
     }
-    if let Some(node) = built.nodes.get_mut(number) {
-        node.children = kinds;
-    }
-    depth + 1
+}
+
+pub(super) fn as_number(index: usize) -> u32 {
+    u32::try_from(index).unwrap_or(u32::MAX)
 }

@@ -1,0 +1,133 @@
+//! Direction cubes: what lies in which direction from the eye, and from each lamp.
+//!
+//! Rays that start at the eye or end at a lamp are most of all rays, and do not need the hierarchy: the light buffer of
+//! E. Haines and D. Greenberg ("The Light Buffer: A Shadow-Testing Accelerator", IEEE CG&A 6, 1986), which serves the eye as
+//! well. Six faces of a cube about the point are cut into cells, and each cell has the packs that can be seen through it.
+
+use glam::Vec4;
+
+use super::{Lanes, Probe};
+use crate::bvh::index;
+
+/// A pack that is seen through a cell.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Entry {
+    /// What is in it is not nearer to the point than that.
+    pub near: f32,
+    /// Its number, or [`Entry::REST`].
+    pub pack: u32,
+}
+
+impl Entry {
+    /// More packs than a cell has: the hierarchy knows them.
+    pub const REST: u32 = u32::MAX;
+}
+
+/// A face: cells in rows. Of each vector, the component of the face's own axis and the last are those of one cell.
+#[derive(Clone, Copy, Debug)]
+pub struct Face {
+    /// Where the middle of the first cell is, at the distance 1.
+    pub low: Vec4,
+    /// How many cells are as long as 1.
+    pub scale: Vec4,
+    /// How many cells there are, less a half.
+    pub end: Vec4,
+    /// How many cells the next one along an axis is away.
+    pub stride: Vec4,
+    /// The number of the first cell.
+    pub first: u32,
+    /// That of the cell for what lies beside the others.
+    pub beside: u32,
+}
+
+impl Face {
+    /// Nothing is seen through it.
+    pub const EMPTY: Self =
+        Self { low: Vec4::ZERO, scale: Vec4::ZERO, end: Vec4::splat(-1.0), stride: Vec4::ZERO, first: 0, beside: u32::MAX };
+}
+
+/// What lies in which direction from a point.
+#[derive(Clone, Copy, Debug)]
+pub struct Cube {
+    /// x, y and z of the point; the last is [`Lanes::size`].
+    pub center: Vec4,
+    /// How far a ray may pass by the point.
+    pub slack: f32,
+    /// The largest margin of a ray that it serves.
+    pub margin: f32,
+    /// x, -x, y, -y, z, -z.
+    pub faces: [Face; 6],
+}
+
+/// Added and taken away again, it rounds what is below 2^22 in size.
+const ROUND: Vec4 = Vec4::splat(12_582_912.0);
+
+impl Cube {
+    /// One that serves no ray.
+    pub const NONE: Self =
+        Self { center: Vec4::ZERO, slack: -1.0, margin: -1.0, faces: [Face::EMPTY; 6] };
+
+    /// The number of the cell that a direction leads through.
+    #[inline(always)]
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // below the number of cells
+    fn cell(&self, direction: Vec4) -> Option<usize> {
+        let [x, y, z, _] = direction.abs().to_array();
+        let (axis, most) = if x >= y && x >= z {
+            (0, x)
+        } else if y >= z {
+            (1, y)
+        } else {
+            (2, z)
+        };
+        let side = direction.is_negative_bitmask() as usize >> axis & 1;
+        let face = self.faces.get(2 * axis + side)?;
+        let place = (direction * Vec4::splat(most.recip()) - face.low) * face.scale;
+        if (place.cmpge(Vec4::splat(-0.5)) & place.cmplt(face.end)).bitmask() != 15 {
+            return Some(index(face.beside));
+        }
+        let place = (place + ROUND) - ROUND;
+        Some(index(face.first) + place.dot(face.stride) as usize)
+    }
+}
+
+impl<'a> Lanes<'a> {
+    /// What a ray may meet that starts at the eye, near things first; nothing if it does not.
+    #[inline(always)]
+    pub(crate) fn from_eye(&self, probe: &Probe) -> Option<&'a [Entry]> {
+        let cube = self.cubes.first()?;
+        let beside = cube.center - probe.ray.origin;
+        let is_there = beside.length_squared() <= cube.slack * cube.slack && probe.ray.margin <= cube.margin;
+        is_there.then(|| self.seen(cube, probe.ray.direction))
+    }
+
+    /// What a ray may meet that ends at a lamp, by its number, and how far it is to its start: nothing if it does not end there,
+    /// or if that is too much.
+    #[inline(always)]
+    pub(crate) fn to_lamp(&self, probe: &Probe, lamp: usize) -> Option<(&'a [Entry], f32)> {
+        let cube = self.cubes.get(lamp + 1)?;
+        let way = cube.center - probe.ray.origin;
+        let along = way.dot(probe.ray.direction);
+        let beside = way - probe.ray.direction * along;
+        let is_there = beside.length_squared() <= cube.slack * cube.slack
+            && probe.ray.margin <= cube.margin
+            && probe.t_max <= along + cube.slack;
+        if !is_there {
+            return None;
+        }
+        let seen = self.seen(cube, -probe.ray.direction);
+        let far = along + cube.slack;
+        match seen.last() {
+            Some(Entry { near, pack: Entry::REST }) if *near <= far => None,
+            _ => Some((seen, far)),
+        }
+    }
+
+    #[inline(always)]
+    fn seen(&self, cube: &Cube, direction: Vec4) -> &'a [Entry] {
+        let run = cube.cell(direction).and_then(|cell| {
+            let (first, end) = (*self.cells.get(cell)?, *self.cells.get(cell + 1)?);
+            self.entries.get(index(first)..index(end))
+        });
+        run.unwrap_or_default()
+    }
+}
