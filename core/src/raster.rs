@@ -11,6 +11,7 @@ use crate::needs::Needs;
 use crate::scalar::{Scalar, Unit};
 use crate::scene::Occluders;
 use crate::trace::Tracer;
+use crate::vector::UnitVec3;
 
 /// Width and height in pixels, each 1 to 65535.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -94,19 +95,18 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize> Pixels<'a,
         Self { tracer, camera, raster, x: 0, y: first, end, height, occluders }
     }
 
-    /// The next one. Tracer and camera are its own, as arguments: in a loop it is only known of those that nothing changes them.
+    /// The next one, whose light `trace` finds.
     #[inline(always)]
     fn step(
         &mut self,
-        tracer: &Tracer<'_, S, M, N, STACK>,
         camera: &Camera<S>,
+        trace: impl FnOnce(UnitVec3<S>, &mut Occluders) -> Rgb<S::Light>,
     ) -> Option<Rgb<S::Light>> {
         if self.y >= self.end {
             return None;
         }
         let x = Raster::center(self.x, self.raster.width);
-        let direction = camera.direction(x, -self.height);
-        let light = tracer.primary_after(camera, direction, &mut self.occluders);
+        let light = trace(camera.direction(x, -self.height), &mut self.occluders);
         self.x += 1;
         if self.x == self.raster.width {
             self.x = 0;
@@ -116,7 +116,8 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize> Pixels<'a,
         Some(light)
     }
 
-    /// All that are left.
+    /// All that are left. Tracer and camera are its own, but arguments, of which it is known that nothing changes them: what all rays
+    /// need of them is made ready once.
     fn all<B>(
         mut self,
         tracer: &Tracer<'_, S, M, N, STACK>,
@@ -125,7 +126,8 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize> Pixels<'a,
         mut f: impl FnMut(B, Rgb<S::Light>) -> B,
     ) -> B {
         let mut folded = init;
-        while let Some(light) = self.step(tracer, camera) {
+        let trace = |direction, occluders: &mut _| tracer.follow(camera.eye, direction, occluders);
+        while let Some(light) = self.step(camera, trace) {
             folded = f(folded, light);
         }
         folded
@@ -137,7 +139,8 @@ impl<S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize> Iterator for P
 
     #[inline]
     fn next(&mut self) -> Option<Self::Item> {
-        self.step(self.tracer, self.camera)
+        let (tracer, camera) = (self.tracer, self.camera);
+        self.step(camera, |direction, occluders| tracer.radiance_after(camera.eye, direction, occluders))
     }
 
     fn size_hint(&self) -> (usize, Option<usize>) {

@@ -78,23 +78,25 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize> Tracer<'a,
         self.radiance(camera.eye, direction)
     }
 
-    /// The same of one pixel after another.
-    #[inline]
-    pub(crate) fn primary_after(
-        &self,
-        camera: &Camera<S>,
-        direction: UnitVec3<S>,
-        occluders: &mut Occluders,
-    ) -> Rgb<S::Light> {
-        self.radiance_after(camera.eye, direction, occluders)
-    }
-
     /// The light that arrives at `origin` against `direction`, from all of the ray tree.
     pub fn radiance(&self, origin: Vec3<S>, direction: UnitVec3<S>) -> Rgb<S::Light> {
         self.radiance_after(origin, direction, &mut Occluders::new())
     }
 
-    fn radiance_after(
+    /// The same of one ray after another.
+    #[cfg_attr(not(target_os = "none"), inline(never))] // once is enough
+    pub(crate) fn radiance_after(
+        &self,
+        origin: Vec3<S>,
+        direction: UnitVec3<S>,
+        occluders: &mut Occluders,
+    ) -> Rgb<S::Light> {
+        self.follow(origin, direction, occluders)
+    }
+
+    /// The same for a loop over many rays.
+    #[cfg_attr(not(target_os = "none"), inline(always))]
+    pub(crate) fn follow(
         &self,
         origin: Vec3<S>,
         direction: UnitVec3<S>,
@@ -126,6 +128,7 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize> Tracer<'a,
 
     /// What one ray brings of its own, and the surface that it has met with the size of its object.
     #[allow(clippy::type_complexity)] // light, and perhaps a surface with a size
+    #[cfg_attr(not(target_os = "none"), inline(always))]
     fn local(&self, ray: &Ray<S>, occluders: &mut Occluders) -> (Rgb<S::Light>, Option<(Surface<'_, S>, S)>) {
         let (surface, extent) = match self.scene.look::<N>(ray, &self.scene.limits()) {
             Seen::Light(light) => {
@@ -147,6 +150,7 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize> Tracer<'a,
     }
 
     /// What the surface sends back of one lamp, by its number.
+    #[cfg_attr(not(target_os = "none"), inline(always))]
     fn direct(
         &self,
         surface: &Surface<S>,
@@ -174,6 +178,7 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize> Tracer<'a,
     }
 
     /// The secondary rays of a surface: the transmitted one waits, the reflected one is to be followed at once.
+    #[cfg_attr(not(target_os = "none"), inline(always))]
     fn spawn(
         &self,
         surface: &Surface<S>,

@@ -166,13 +166,19 @@ impl<S: Narrow, M: Illumination<S> + Copy> Picture<S, M> {
         convert: impl Fn(Rgb<S::Light>) -> T,
     ) {
         let Ok(tracer) = self.tracer(model) else { return };
-        let (camera, raster, end) = (&self.scene.camera, self.raster, self.raster.height());
-        let fill = |(pixel, light): (&mut T, _)| *pixel = convert(light);
+        let (camera, raster) = (&self.scene.camera, self.raster);
+        let rows = u32::try_from(out.len().div_ceil(raster.width() as usize)).unwrap_or(u32::MAX);
+        let end = first.saturating_add(rows).min(raster.height());
+        let mut out = out.iter_mut();
+        let fill = |light| {
+            if let Some(pixel) = out.next() {
+                *pixel = convert(light);
+            }
+        };
         if self.sampling == Sampling::CENTER {
-            out.iter_mut().zip(Pixels::rows(&tracer, camera, raster, first, end)).for_each(fill);
+            Pixels::rows(&tracer, camera, raster, first, end).for_each(fill);
         } else {
-            let pixels = Supersampled::rows(&tracer, camera, raster, self.sampling, first, end);
-            out.iter_mut().zip(pixels).for_each(fill);
+            Supersampled::rows(&tracer, camera, raster, self.sampling, first, end).for_each(fill);
         }
     }
 }

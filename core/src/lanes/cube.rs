@@ -86,7 +86,9 @@ impl Cube {
             return Some(index(face.beside));
         }
         let place = (place + ROUND) - ROUND;
-        Some(index(face.first) + place.dot(face.stride) as usize)
+        // A whole number below 2^23, which the last bits of the sum are.
+        let cell = (place.dot(face.stride) + 8_388_608.0).to_bits() & 0x7f_ffff;
+        Some(index(face.first) + index(cell))
     }
 }
 

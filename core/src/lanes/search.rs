@@ -46,9 +46,7 @@ fn splat(v: Vec4) -> [Vec4; 3] {
 
 /// A ray made ready for many packs, and how far it goes.
 pub(crate) struct Probe<'a> {
-    packs: &'a [Pack],
-    rods: &'a [Rods],
-    sheets: &'a [Sheets],
+    lanes: &'a Lanes<'a>,
     pub(super) ray: CoarseRay,
     origin: [Vec4; 3],
     direction: [Vec4; 3],
@@ -58,12 +56,10 @@ pub(crate) struct Probe<'a> {
 impl<'a> Probe<'a> {
     /// For what is nearer than `t_max`.
     #[inline(always)]
-    pub(crate) fn new<S: Scalar>(lanes: &Lanes<'a>, ray: &Ray<S>, t_max: S) -> Self {
+    pub(crate) fn new<S: Scalar>(lanes: &'a Lanes<'a>, ray: &Ray<S>, t_max: S) -> Self {
         let ray = CoarseRay::new(ray, lanes.size);
         Self {
-            packs: lanes.packs,
-            rods: lanes.rods,
-            sheets: lanes.sheets,
+            lanes,
             origin: splat(ray.origin),
             direction: splat(ray.direction),
             t_max: t_max.coarse() + ray.margin,
@@ -95,11 +91,11 @@ impl<'a> Probe<'a> {
         let is_along = (b + r).cmpgt(Vec4::ZERO) & (b - r).cmplt(Vec4::splat(self.t_max));
         let mut mask = (across.cmple(r * r) & is_along).bitmask();
         if mask != 0 && pack.rods != Pack::NO_RODS {
-            let rods = usize::try_from(pack.rods).ok().and_then(|number| self.rods.get(number));
+            let rods = usize::try_from(pack.rods).ok().and_then(|number| self.lanes.rods.get(number));
             mask &= rods.map_or(mask, |rods| self.meet_rods(pack, rods));
         }
         if S::IN_LANES && mask != 0 && pack.sheets != Pack::NO_SHEETS {
-            let sheets = usize::try_from(pack.sheets).ok().and_then(|number| self.sheets.get(number));
+            let sheets = usize::try_from(pack.sheets).ok().and_then(|number| self.lanes.sheets.get(number));
             mask &= !sheets.map_or(0, |sheets| self.leave_sheets(sheets));
         }
         Met { mask, along: b, across }
@@ -219,7 +215,6 @@ impl Slabs {
 /// The way of a ray through the leaves that it may meet something in.
 pub(crate) struct Search<'a, 'w> {
     pub(crate) probe: Probe<'a>,
-    nodes: &'a [Boxes],
     slabs: Slabs,
     /// Not its own, as it would be copied whole.
     waiting: &'w mut Waiting,
@@ -231,10 +226,10 @@ pub(crate) type Waiting = Vec<(Child, f32), STACK>;
 impl<'a, 'w> Search<'a, 'w> {
     /// A search from the root on.
     #[inline(always)]
-    pub(crate) fn new(probe: Probe<'a>, nodes: &'a [Boxes], waiting: &'w mut Waiting) -> Self {
+    pub(crate) fn new(probe: Probe<'a>, waiting: &'w mut Waiting) -> Self {
         let slabs = Slabs::new(&probe.ray);
         let _ = waiting.push((Child::node(0), 0.0));
-        Self { probe, nodes, slabs, waiting }
+        Self { probe, slabs, waiting }
     }
 
     /// The next leaf, near ones first.
@@ -247,7 +242,7 @@ impl<'a, 'w> Search<'a, 'w> {
             }
             // The nearest child goes on at once.
             while let Some(number) = child.number() {
-                let node = self.nodes.get(number)?;
+                let node = self.probe.lanes.nodes.get(number)?;
                 let (near, mask) = self.slabs.enter(node, self.probe.t_max);
                 let mut entered = Bits(mask);
                 let first = entered.next().and_then(|k| Some((*node.children.get(k)?, *near.get(k)?)));
@@ -273,6 +268,6 @@ impl<'a, 'w> Search<'a, 'w> {
     #[inline(always)]
     fn run(&self, child: Child) -> &'a [Pack] {
         let (first, count) = child.run();
-        self.probe.packs.get(first..first + count).unwrap_or(&[])
+        self.probe.lanes.packs.get(first..first + count).unwrap_or(&[])
     }
 }

@@ -205,7 +205,7 @@ impl<S: Scalar> Scene<'_, S> {
             self.nearest_of::<N>(self.lanes.packs, ray, &mut probe, &mut best);
         } else if !self.nearest_seen::<N>(ray, &mut probe, &mut best) {
             let mut waiting = Waiting::new();
-            let mut search = Search::new(probe, self.lanes.nodes, &mut waiting);
+            let mut search = Search::new(probe, &mut waiting);
             while let Some(packs) = search.leaf() {
                 self.nearest_of::<N>(packs, ray, &mut search.probe, &mut best);
             }

@@ -166,8 +166,9 @@ impl<S: Scalar> Scene<'_, S> {
             }
         }
         let mut shade = Shade(Vec::new());
+        let mut found = Item::NONE;
         if self.lanes.nodes.is_empty() {
-            *last = self.first_opaque_of::<N>(self.lanes.packs, ray, t_max, &probe, &mut shade);
+            found = self.first_opaque_of::<N>(self.lanes.packs, ray, t_max, &probe, &mut shade);
         } else if let Some((entries, far)) = self.lanes.to_lamp(&probe, lamp) {
             for entry in entries {
                 if entry.near > far {
@@ -175,22 +176,23 @@ impl<S: Scalar> Scene<'_, S> {
                 }
                 if let Some(pack) = self.lanes.packs.get(index(entry.pack)) {
                     let packs = core::slice::from_ref(pack);
-                    *last = self.first_opaque_of::<N>(packs, ray, t_max, &probe, &mut shade);
-                    if *last != Item::NONE {
+                    found = self.first_opaque_of::<N>(packs, ray, t_max, &probe, &mut shade);
+                    if found != Item::NONE {
                         break;
                     }
                 }
             }
         } else {
             let mut waiting = Waiting::new();
-            let mut search = Search::new(probe, self.lanes.nodes, &mut waiting);
-            while *last == Item::NONE
+            let mut search = Search::new(probe, &mut waiting);
+            while found == Item::NONE
                 && let Some(packs) = search.leaf()
             {
-                *last = self.first_opaque_of::<N>(packs, ray, t_max, &search.probe, &mut shade);
+                found = self.first_opaque_of::<N>(packs, ray, t_max, &search.probe, &mut shade);
             }
         }
-        if *last != Item::NONE {
+        if found != Item::NONE {
+            *last = found;
             return None;
         }
         let light = shade.light().unwrap_or_else(|| self.through_lists::<N>(ray, t_max));

@@ -1,7 +1,7 @@
 //! Builds the hierarchy of machines with lanes.
 
 use rta_core::bvh::{Child, Item, MAX_DEPTH};
-use rta_core::scalar::{Scalar, Unit};
+use rta_core::scalar::Unit;
 use rta_core::vector::Vector;
 use rta_core::lanes::{Boxes, Cube, Entry, LARGEST, Lanes, Pack, Posts, Rods, Sheets};
 
