@@ -186,7 +186,7 @@ impl Lanes<'_> {
         let held = self.packs.iter().flat_map(|pack| pack.items).filter(there).count();
         let there = |number: &u32| index(*number) < cylinders;
         let posts = self.posts.iter().flat_map(|posts| posts.cylinders).filter(there).count();
-        if held != counts.iter().sum::<usize>() || posts != cylinders {
+        if held != counts.iter().sum::<usize>() || posts != cylinders || !self.has_cubes_right() {
             return Some(0);
         }
         if self.nodes.is_empty() {

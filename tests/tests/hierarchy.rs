@@ -6,7 +6,7 @@ use fastrand::Rng;
 use rta_core::bvh::{Child, Item};
 use rta_core::hierarchy::Node;
 use rta_core::illumination::Rta;
-use rta_core::lanes::LANES;
+use rta_core::lanes::{Entry, LANES};
 use rta_core::needs::Everything;
 use rta_core::range::RangeError;
 use rta_core::ray::Ray;
@@ -77,11 +77,13 @@ fn medley(count: usize, spread: f64, seed: u64) -> Description {
 fn compare<S: Narrow>(scene: &Description, rays: usize, seed: u64) -> usize {
     let narrowed = narrow::<S>(scene, 1.0).expect("it fits");
     assert!(!LANES || !narrowed.lanes.nodes.is_empty(), "there are objects enough");
+    assert!(!LANES || narrowed.lanes.cubes.iter().all(|cube| cube.slack > 0.0), "they are of use");
     let admitted = narrowed.scene().admit(&narrowed.camera).expect("it fits");
     let firmware = narrowed.clone().without_lanes(scene);
     assert!(!firmware.hierarchy.is_empty() || !firmware.boxes.is_empty(), "there are objects enough");
     let firmware = firmware.scene().admit(&narrowed.camera).expect("it fits");
-    let (lid, mut rng, mut met, mut dimmed) = (admitted.limits().lid, Rng::with_seed(seed), 0, 0);
+    let (lid, mut rng) = (admitted.limits().lid, Rng::with_seed(seed));
+    let (mut met, mut dimmed, mut lit) = (0, 0, 0);
     for number in 0..rays {
         let spheres = &scene.spheres;
         let towards = &spheres[rng.usize(..spheres.len())];
@@ -117,7 +119,23 @@ fn compare<S: Narrow>(scene: &Description, rays: usize, seed: u64) -> usize {
             assert!(scene.transmittance::<Everything>(&ray, t_max, lid) == shadow, "{ray:?}");
         }
         dimmed += usize::from(shadow > S::Unit::ZERO && shadow < S::Unit::ONE);
+        // From about as far to a lamp.
+        let (lamp, start) = (scene.lamps[0].position, edge);
+        let way = [0, 1, 2].map(|axis| lamp[axis] - start[axis]);
+        let length = way.iter().map(|c| c * c).sum::<f64>().sqrt();
+        let [x, y, z] = way.map(|c| S::unit(c / length));
+        let direction: UnitVec3<S> = Vector::new(x, y, z);
+        let Some((direction, _)) = direction.normalize() else { continue };
+        let [x, y, z] = start.map(S::length);
+        let ray = Ray::new::<Everything>(Vector::new(x, y, z), direction);
+        let t_max = S::length(length);
+        let light = admitted.transmittance::<OneByOne>(&ray, t_max, lid);
+        for scene in [&admitted, &firmware] {
+            assert!(scene.transmittance::<Everything>(&ray, t_max, lid) == light, "to the lamp: {ray:?}");
+        }
+        lit += usize::from(light > S::Unit::ZERO);
     }
+    assert!(lit > rays / 50 && lit < rays - rays / 50, "{lit} rays came to the lamp");
     assert!(dimmed > rays / 50, "only {dimmed} rays went through glass");
     met
 }
@@ -211,6 +229,9 @@ fn lanes_that_are_wrong_are_refused() {
     assert!(refused(&|lanes| lanes.packs[0].items[0] = Item::Sphere(10)), "there is no such sphere");
     assert!(refused(&|lanes| lanes.posts[1].cylinders[1] = 6), "there is no such cylinder");
     assert!(refused(&|lanes| lanes.posts.truncate(1)), "two cylinders are missing");
+    assert!(refused(&|lanes| lanes.entries[0] = Entry::new(0.0, 99)), "there is no such pack");
+    assert!(refused(&|lanes| lanes.entries.truncate(1)), "entries are missing");
+    assert!(refused(&|lanes| lanes.cells[1] = 99_999), "a cell begins beyond its end");
 }
 
 /// The nearest hits and shadows of rays from so far away that lanes cannot tell anything; and how many there were.

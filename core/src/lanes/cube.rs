@@ -9,18 +9,35 @@ use glam::Vec4;
 use super::{Lanes, Probe};
 use crate::bvh::index;
 
-/// A pack that is seen through a cell.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Entry {
-    /// What is in it is not nearer to the point than that.
-    pub near: f32,
-    /// Its number, or [`Entry::REST`].
-    pub pack: u32,
-}
+/// A pack that is seen through a cell, and how much farther away it is than [`Cube::nearest`], with 7 binary digits.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Entry(u32);
 
 impl Entry {
     /// More packs than a cell has: the hierarchy knows them.
-    pub const REST: u32 = u32::MAX;
+    pub const REST: u32 = (1 << Self::PACK_BITS) - 1;
+    const PACK_BITS: u32 = 18;
+
+    /// Of a distance, 0 or more, and the number of a pack, below [`Entry::REST`], or that.
+    #[must_use]
+    pub fn new(near: f32, pack: u32) -> Self {
+        // There is no sign.
+        Self(near.to_bits() << 1 & !Self::REST | pack & Self::REST)
+    }
+
+    /// What it has is not nearer than that, beyond [`Cube::nearest`].
+    #[inline]
+    #[must_use]
+    pub fn near(self) -> f32 {
+        f32::from_bits((self.0 & !Self::REST) >> 1)
+    }
+
+    /// The number of the pack, or [`Entry::REST`].
+    #[inline]
+    #[must_use]
+    pub const fn pack(self) -> u32 {
+        self.0 & Self::REST
+    }
 }
 
 /// A face: cells in rows. Of each vector, the component of the face's own axis and the last are those of one cell.
@@ -42,8 +59,14 @@ pub struct Face {
 
 impl Face {
     /// Nothing is seen through it.
-    pub const EMPTY: Self =
-        Self { low: Vec4::ZERO, scale: Vec4::ZERO, end: Vec4::splat(-1.0), stride: Vec4::ZERO, first: 0, beside: u32::MAX };
+    pub const EMPTY: Self = Self {
+        low: Vec4::ZERO,
+        scale: Vec4::ZERO,
+        end: Vec4::splat(-1.0),
+        stride: Vec4::ZERO,
+        first: 0,
+        beside: u32::MAX,
+    };
 }
 
 /// What lies in which direction from a point.
@@ -55,6 +78,8 @@ pub struct Cube {
     pub slack: f32,
     /// The largest margin of a ray that it serves.
     pub margin: f32,
+    /// How far from the point the nearest thing is.
+    pub nearest: f32,
     /// x, -x, y, -y, z, -z.
     pub faces: [Face; 6],
 }
@@ -65,7 +90,7 @@ const ROUND: Vec4 = Vec4::splat(12_582_912.0);
 impl Cube {
     /// One that serves no ray.
     pub const NONE: Self =
-        Self { center: Vec4::ZERO, slack: -1.0, margin: -1.0, faces: [Face::EMPTY; 6] };
+        Self { center: Vec4::ZERO, slack: 0.0, margin: -1.0, nearest: 0.0, faces: [Face::EMPTY; 6] };
 
     /// The number of the cell that a direction leads through.
     #[inline(always)]
@@ -92,44 +117,65 @@ impl Cube {
     }
 }
 
-impl<'a> Lanes<'a> {
-    /// What a ray may meet that starts at the eye, near things first; nothing if it does not.
+/// What a ray may meet that goes by the point of a cube, near things first.
+pub(crate) struct Seen<'a> {
+    pub(crate) entries: &'a [Entry],
+    nearest: f32,
+}
+
+impl Seen<'_> {
+    /// What an entry has is not nearer to the point than that.
     #[inline(always)]
-    pub(crate) fn from_eye(&self, probe: &Probe) -> Option<&'a [Entry]> {
+    pub(crate) fn near(&self, entry: Entry) -> f32 {
+        entry.near() + self.nearest
+    }
+}
+
+impl<'a> Lanes<'a> {
+    /// What a ray may meet that starts at the eye; nothing if it does not.
+    #[inline(always)]
+    pub(crate) fn from_eye(&self, probe: &Probe) -> Option<Seen<'a>> {
         let cube = self.cubes.first()?;
         let beside = cube.center - probe.ray.origin;
         let is_there = beside.length_squared() <= cube.slack * cube.slack && probe.ray.margin <= cube.margin;
         is_there.then(|| self.seen(cube, probe.ray.direction))
     }
 
-    /// What a ray may meet that ends at a lamp, by its number, and how far it is to its start: nothing if it does not end there,
-    /// or if that is too much.
+    /// What a ray may meet that ends at a lamp, by its number, and how far away it starts; nothing if it does not end there, or
+    /// if that is too much.
     #[inline(always)]
-    pub(crate) fn to_lamp(&self, probe: &Probe, lamp: usize) -> Option<(&'a [Entry], f32)> {
+    pub(crate) fn to_lamp(&self, probe: &Probe, lamp: usize) -> Option<(Seen<'a>, f32)> {
         let cube = self.cubes.get(lamp + 1)?;
         let way = cube.center - probe.ray.origin;
         let along = way.dot(probe.ray.direction);
         let beside = way - probe.ray.direction * along;
+        let far = along + cube.slack;
         let is_there = beside.length_squared() <= cube.slack * cube.slack
             && probe.ray.margin <= cube.margin
-            && probe.t_max <= along + cube.slack;
+            && probe.t_max <= far;
         if !is_there {
             return None;
         }
         let seen = self.seen(cube, -probe.ray.direction);
-        let far = along + cube.slack;
-        match seen.last() {
-            Some(Entry { near, pack: Entry::REST }) if *near <= far => None,
+        match seen.entries.last() {
+            Some(&rest) if rest.pack() == Entry::REST && seen.near(rest) <= far => None,
             _ => Some((seen, far)),
         }
     }
 
     #[inline(always)]
-    fn seen(&self, cube: &Cube, direction: Vec4) -> &'a [Entry] {
+    fn seen(&self, cube: &Cube, direction: Vec4) -> Seen<'a> {
         let run = cube.cell(direction).and_then(|cell| {
             let (first, end) = (*self.cells.get(cell)?, *self.cells.get(cell + 1)?);
             self.entries.get(index(first)..index(end))
         });
-        run.unwrap_or_default()
+        Seen { entries: run.unwrap_or_default(), nearest: cube.nearest }
+    }
+
+    /// Whether all that the cubes name is there.
+    pub(super) fn has_cubes_right(&self) -> bool {
+        let ends = self.cells.last().is_none_or(|&end| index(end) == self.entries.len());
+        let there = |entry: &Entry| entry.pack() == Entry::REST || index(entry.pack()) < self.packs.len();
+        ends && self.cells.is_sorted() && self.entries.iter().all(there)
     }
 }

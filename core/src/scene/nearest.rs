@@ -217,12 +217,13 @@ impl<S: Scalar> Scene<'_, S> {
     /// may be more.
     #[inline(always)]
     fn nearest_seen<N: Needs>(&self, ray: &Ray<S>, probe: &mut Probe, best: &mut Best<S>) -> bool {
-        let Some(entries) = self.lanes.from_eye(probe) else { return false };
-        for entry in entries {
-            if probe.ends_before(entry.near) {
+        let Some(seen) = self.lanes.from_eye(probe) else { return false };
+        for &entry in seen.entries {
+            if probe.ends_before(seen.near(entry)) {
                 return true;
             }
-            let Some(pack) = self.lanes.packs.get(index(entry.pack)) else { return false };
+            // The rest is none of them.
+            let Some(pack) = self.lanes.packs.get(index(entry.pack())) else { return false };
             self.nearest_of::<N>(core::slice::from_ref(pack), ray, probe, best);
         }
         true

@@ -94,7 +94,9 @@ impl<S: Scalar> Scene<'_, S> {
         let mut light;
         let mut has_cylinders = N::CYLINDERS;
         if self.is_laned::<N>() {
-            let Some(through) = self.through_lanes::<N>(ray, t_max, lid, lamp, occluders) else { return zero };
+            let Some(through) = self.through_lanes::<N>(ray, t_max, lid, lamp, occluders) else {
+                return zero;
+            };
             (light, has_cylinders) = through;
         } else if self.is_boxed::<N>() {
             let mut shade = Shade(Vec::new());
@@ -169,17 +171,16 @@ impl<S: Scalar> Scene<'_, S> {
         let mut found = Item::NONE;
         if self.lanes.nodes.is_empty() {
             found = self.first_opaque_of::<N>(self.lanes.packs, ray, t_max, &probe, &mut shade);
-        } else if let Some((entries, far)) = self.lanes.to_lamp(&probe, lamp) {
-            for entry in entries {
-                if entry.near > far {
+        } else if let Some((seen, far)) = self.lanes.to_lamp(&probe, lamp) {
+            for &entry in seen.entries {
+                if seen.near(entry) > far {
                     break;
                 }
-                if let Some(pack) = self.lanes.packs.get(index(entry.pack)) {
-                    let packs = core::slice::from_ref(pack);
-                    found = self.first_opaque_of::<N>(packs, ray, t_max, &probe, &mut shade);
-                    if found != Item::NONE {
-                        break;
-                    }
+                let Some(pack) = self.lanes.packs.get(index(entry.pack())) else { break };
+                let packs = core::slice::from_ref(pack);
+                found = self.first_opaque_of::<N>(packs, ray, t_max, &probe, &mut shade);
+                if found != Item::NONE {
+                    break;
                 }
             }
         } else {

@@ -1,13 +1,13 @@
 //! Builds the hierarchy of machines with lanes.
 
 use rta_core::bvh::{Child, Item, MAX_DEPTH};
+use rta_core::lanes::{Boxes, Cube, Entry, LARGEST, Lanes, Pack, Posts, Rods, Sheets};
 use rta_core::scalar::Unit;
 use rta_core::vector::Vector;
-use rta_core::lanes::{Boxes, Cube, Entry, LARGEST, Lanes, Pack, Posts, Rods, Sheets};
 
 use super::bounds::Bounds;
-use super::{Narrow, cube, triangle};
 use super::tree::{Costs, Solid, Tree, four, solids, tree};
+use super::{Narrow, cube, triangle};
 use crate::description::Description;
 use crate::space::{difference, length};
 
@@ -77,7 +77,8 @@ pub(super) fn build<S: Narrow>(scene: &Description) -> Built {
         }
         built.posts.push(posts);
     }
-    let mut maker = Maker::<S> { scene, solids: &[], built, runs: Vec::new(), format: core::marker::PhantomData };
+    let mut maker =
+        Maker::<S> { scene, solids: &[], built, runs: Vec::new(), format: core::marker::PhantomData };
     if solids.len() <= FEW {
         maker.solids = &solids;
         maker.pack(0, solids.len());
@@ -223,8 +224,12 @@ impl<S: Narrow> Maker<'_, S> {
                     }
                     pack.rods = as_number(self.built.rods.len());
                 }
-                if S::IN_LANES && let Some((corner, normal)) = sheet::<S>(self.scene, solid.item) {
-                    for (places, place) in sheets.corner.iter_mut().zip(corner).chain(sheets.normal.iter_mut().zip(normal)) {
+                if S::IN_LANES
+                    && let Some((corner, normal)) = sheet::<S>(self.scene, solid.item)
+                {
+                    for (places, place) in
+                        sheets.corner.iter_mut().zip(corner).chain(sheets.normal.iter_mut().zip(normal))
+                    {
                         places[slot] = place;
                     }
                     pack.sheets = as_number(self.built.sheets.len());
