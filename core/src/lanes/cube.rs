@@ -134,7 +134,7 @@ impl Seen<'_> {
 impl<'a> Lanes<'a> {
     /// What a ray may meet that starts at the eye; nothing if it does not.
     #[inline(always)]
-    pub(crate) fn from_eye(&self, probe: &Probe) -> Option<Seen<'a>> {
+    pub(crate) fn eye_sees(&self, probe: &Probe) -> Option<Seen<'a>> {
         let cube = self.cubes.first()?;
         let beside = cube.center - probe.ray.origin;
         let is_there = beside.length_squared() <= cube.slack * cube.slack && probe.ray.margin <= cube.margin;
@@ -144,7 +144,7 @@ impl<'a> Lanes<'a> {
     /// What a ray may meet that ends at a lamp, by its number, and how far away it starts; nothing if it does not end there, or
     /// if that is too much.
     #[inline(always)]
-    pub(crate) fn to_lamp(&self, probe: &Probe, lamp: usize) -> Option<(Seen<'a>, f32)> {
+    pub(crate) fn lamp_sees(&self, probe: &Probe, lamp: usize) -> Option<(Seen<'a>, f32)> {
         let cube = self.cubes.get(lamp + 1)?;
         let way = cube.center - probe.ray.origin;
         let along = way.dot(probe.ray.direction);

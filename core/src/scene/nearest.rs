@@ -217,7 +217,7 @@ impl<S: Scalar> Scene<'_, S> {
     /// may be more.
     #[inline(always)]
     fn nearest_seen<N: Needs>(&self, ray: &Ray<S>, probe: &mut Probe, best: &mut Best<S>) -> bool {
-        let Some(seen) = self.lanes.from_eye(probe) else { return false };
+        let Some(seen) = self.lanes.eye_sees(probe) else { return false };
         for &entry in seen.entries {
             if probe.ends_before(seen.near(entry)) {
                 return true;

@@ -171,7 +171,7 @@ impl<S: Scalar> Scene<'_, S> {
         let mut found = Item::NONE;
         if self.lanes.nodes.is_empty() {
             found = self.first_opaque_of::<N>(self.lanes.packs, ray, t_max, &probe, &mut shade);
-        } else if let Some((seen, far)) = self.lanes.to_lamp(&probe, lamp) {
+        } else if let Some((seen, far)) = self.lanes.lamp_sees(&probe, lamp) {
             for &entry in seen.entries {
                 if seen.near(entry) > far {
                     break;

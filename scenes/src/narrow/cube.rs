@@ -97,24 +97,16 @@ impl Point {
             run.iter().for_each(|solid| windows.join(&self.windows(&solid.bounds)));
             let area = windows.area();
             let place = large.partition_point(|(other, _)| *other >= area);
-            if place >= most && large.len() >= most {
-                frame.join(&windows);
-            } else {
-                large.insert(place, (area, windows));
-            }
+            large.insert(place, (area, windows));
             if large.len() > most
-                && let Some((_, least)) = large.pop()
+                && let Some((_, small)) = large.pop()
             {
-                frame.join(&least);
+                frame.join(&small);
+                for window in small.0.iter().flatten() {
+                    sides += window.sides().iter().sum::<f64>();
+                    count += 1.0;
+                }
             }
-            for window in windows.0.iter().flatten() {
-                sides += window.sides().iter().sum::<f64>();
-                count += 1.0;
-            }
-        }
-        for window in large.iter().flat_map(|(_, windows)| windows.0).flatten() {
-            sides -= window.sides().iter().sum::<f64>();
-            count -= 1.0;
         }
         let mut all = frame;
         large.iter().for_each(|(_, windows)| all.join(windows));
@@ -130,8 +122,8 @@ impl Point {
         while let Some((_, windows)) = large.pop() {
             frame.join(&windows);
             let cost = cost(&frame, large.len());
-            // Where there is no area, it is no number.
-            if !(cost >= best.0) {
+            // Where nothing small is seen, it is no number.
+            if cost < best.0 || best.0.is_nan() {
                 best = (cost, frame);
             }
         }
@@ -234,6 +226,8 @@ impl Lists {
 
     fn append(mut self, built: &mut Built) {
         let mut next = built.entries.len();
+        built.cells.reserve_exact(self.cells.len() + 1);
+        built.entries.reserve_exact(self.found.len());
         for (count, _) in &mut self.cells {
             let end = next + *count as usize;
             built.cells.push(as_number(next));
