@@ -102,19 +102,27 @@ impl Rods {
     pub const EMPTY: Self = Self { axis: [Vec4::ZERO; 3], radius: Vec4::ZERO };
 }
 
-/// The planes of the triangles of a pack, as the picture has them: in `f32` it is told by these numbers which of them a ray leads
-/// away from.
+/// The planes of the triangles of a pack, as the picture has them; of what is no triangle, NaN.
 #[derive(Clone, Copy, Debug)]
 pub struct Sheets {
     /// x, y and z of their corners.
     pub corner: [Vec4; 3],
-    /// x, y and z of their normals; of what is no triangle, NaN.
+    /// x, y and z of their normals.
     pub normal: [Vec4; 3],
+    /// x, y and z of what of [`Triangle`](crate::shape::Triangle) has this name.
+    pub inward: [[Vec4; 3]; 3],
+    /// How far their corners are from the opposite edges.
+    pub height: Vec4,
 }
 
 impl Sheets {
     /// No planes.
-    pub const EMPTY: Self = Self { corner: [Vec4::ZERO; 3], normal: [Vec4::NAN; 3] };
+    pub const EMPTY: Self = Self {
+        corner: [Vec4::NAN; 3],
+        normal: [Vec4::NAN; 3],
+        inward: [[Vec4::NAN; 3]; 3],
+        height: Vec4::NAN,
+    };
 }
 
 /// Four vertical cylinders, seen from above.

@@ -3,7 +3,7 @@
 use rta_core::bvh::{Child, Item, MAX_DEPTH};
 use rta_core::lanes::{Boxes, Cube, Entry, LARGEST, Lanes, Pack, Posts, Rods, Sheets};
 use rta_core::scalar::Unit;
-use rta_core::vector::Vector;
+use rta_core::vector::{UnitVec3, Vector};
 
 use super::bounds::Bounds;
 use super::tree::{Costs, Solid, Tree, four, solids, tree};
@@ -25,7 +25,7 @@ pub struct Built {
     pub packs: Vec<Pack>,
     /// Cylinders about the cones among them.
     pub rods: Vec<Rods>,
-    /// Planes of the triangles among them, where the format is that of the lanes.
+    /// Planes of the triangles among them.
     pub sheets: Vec<Sheets>,
     /// Vertical cylinders, four by four.
     pub posts: Vec<Posts>,
@@ -135,15 +135,15 @@ fn rod(scene: &Description, item: Item) -> Option<([f64; 3], f64)> {
     Some((way.map(|c| c / length), cone.base_radius.max(cone.apex_radius)))
 }
 
-/// The corner and the normal of a triangle, in the picture's own numbers.
-fn sheet<S: Narrow>(scene: &Description, item: Item) -> Option<([f32; 3], [f32; 3])> {
+/// The planes of a triangle, in the picture's own numbers: corner, normal and the three across the edges; and its height.
+fn sheet<S: Narrow>(scene: &Description, item: Item) -> Option<([[f32; 3]; 5], f32)> {
     let Item::Triangle(i) = item else { return None };
     let triangle = triangle::narrow::<S>(0, scene.triangles.get(i as usize)?).ok()?;
-    let (corner, normal) = (triangle.corner, triangle.normal);
-    Some((
-        [corner.x().coarse(), corner.y().coarse(), corner.z().coarse()],
-        [normal.x().coarse(), normal.y().coarse(), normal.z().coarse()],
-    ))
+    let corner = [triangle.corner.x().coarse(), triangle.corner.y().coarse(), triangle.corner.z().coarse()];
+    let way = |v: UnitVec3<S>| [v.x().coarse(), v.y().coarse(), v.z().coarse()];
+    let [first, second, third] = triangle.inward.map(way);
+    let [height, ..] = triangle.heights;
+    Some(([corner, way(triangle.normal), first, second, third], height.coarse()))
 }
 
 fn middle(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
@@ -224,14 +224,14 @@ impl<S: Narrow> Maker<'_, S> {
                     }
                     pack.rods = as_number(self.built.rods.len());
                 }
-                if S::IN_LANES
-                    && let Some((corner, normal)) = sheet::<S>(self.scene, solid.item)
-                {
-                    for (places, place) in
-                        sheets.corner.iter_mut().zip(corner).chain(sheets.normal.iter_mut().zip(normal))
-                    {
-                        places[slot] = place;
+                if let Some((planes, height)) = sheet::<S>(self.scene, solid.item) {
+                    let Sheets { corner, normal, inward, .. } = &mut sheets;
+                    for (all, plane) in [corner, normal].into_iter().chain(inward).zip(planes) {
+                        for (places, place) in all.iter_mut().zip(plane) {
+                            places[slot] = place;
+                        }
                     }
+                    sheets.height[slot] = height;
                     pack.sheets = as_number(self.built.sheets.len());
                 }
             }
