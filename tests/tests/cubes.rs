@@ -1,6 +1,8 @@
 //! Wherever eye and lamps are, the direction cubes about them hide nothing: pictures of random scenes are the same, to the last
 //! bit of light, as those of firmware's search.
 
+#![allow(clippy::indexing_slicing, reason = "a test may panic")]
+
 use fastrand::Rng;
 use rta_core::color::Rgb;
 use rta_core::illumination::Phong;
