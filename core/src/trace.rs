@@ -95,7 +95,7 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize> Tracer<'a,
     }
 
     /// The same for a loop over many rays.
-    #[cfg_attr(not(target_os = "none"), inline(always))]
+    #[cfg_attr(not(target_os = "none"), inline(always))] // with all that it calls, so that the loop makes ready what all rays need
     pub(crate) fn follow(
         &self,
         origin: Vec3<S>,
@@ -128,7 +128,7 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize> Tracer<'a,
 
     /// What one ray brings of its own, and the surface that it has met with the size of its object.
     #[allow(clippy::type_complexity)] // light, and perhaps a surface with a size
-    #[cfg_attr(not(target_os = "none"), inline(always))]
+    #[cfg_attr(not(target_os = "none"), inline(always))] // see `follow`
     fn local(&self, ray: &Ray<S>, occluders: &mut Occluders) -> (Rgb<S::Light>, Option<(Surface<'_, S>, S)>) {
         let (surface, extent) = match self.scene.look::<N>(ray, &self.scene.limits()) {
             Seen::Light(light) => {
@@ -150,7 +150,7 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize> Tracer<'a,
     }
 
     /// What the surface sends back of one lamp, by its number.
-    #[cfg_attr(not(target_os = "none"), inline(always))]
+    #[cfg_attr(not(target_os = "none"), inline(always))] // see `follow`
     fn direct(
         &self,
         surface: &Surface<S>,
@@ -178,7 +178,7 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize> Tracer<'a,
     }
 
     /// The secondary rays of a surface: the transmitted one waits, the reflected one is to be followed at once.
-    #[cfg_attr(not(target_os = "none"), inline(always))]
+    #[cfg_attr(not(target_os = "none"), inline(always))] // see `follow`
     fn spawn(
         &self,
         surface: &Surface<S>,

@@ -74,7 +74,8 @@ impl Face {
 pub struct Cube {
     /// x, y and z of the point; the last is [`Lanes::size`].
     pub center: Vec4,
-    /// How far a ray may pass by the point.
+    /// How far a ray may pass by the point. What the cells have is larger by twice as much, which is also for the ray's own margin
+    /// and for what these numbers are rounded by.
     pub slack: f32,
     /// The largest margin of a ray that it serves.
     pub margin: f32,
@@ -94,7 +95,6 @@ impl Cube {
 
     /// The number of the cell that a direction leads through.
     #[inline(always)]
-    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // below the number of cells
     fn cell(&self, direction: Vec4) -> Option<usize> {
         let [x, y, z, _] = direction.abs().to_array();
         let (axis, most) = if x >= y && x >= z {

@@ -1,4 +1,4 @@
-//! The search: a ray against four boxes, four spheres, four cylinders at once.
+//! The search: a ray against four boxes, four spheres, four cylinders, four triangles at once.
 
 use glam::Vec4;
 use heapless::Vec;

@@ -147,7 +147,7 @@ macro_rules! float {
             #[inline]
             #[allow(clippy::cast_possible_truncation)] // of the same size
             fn coarse_margin(far: f32) -> f32 {
-                far * (lanes::margin(1.0, (64.0 * <$f>::EPSILON) as f32))
+                far * lanes::margin(1.0, (64.0 * <$f>::EPSILON) as f32)
             }
             $($own)*
             #[inline]

@@ -16,7 +16,7 @@ use window::{Grid, Windows};
 const MOST: u32 = 24;
 /// Packs at most that cells are not made for.
 const LARGE: usize = 6;
-/// Cells of a cube, beside half as many as there are objects.
+/// Cells of a cube at least and at most; between these, half as many as there are objects.
 const CELLS: core::ops::RangeInclusive<usize> = 4096..=65536;
 
 /// The cubes of a scene whose nodes and packs are built; `runs` are for each pack the first of the `solids` in it, and how
