@@ -84,7 +84,8 @@ pub trait Illumination<S: Scalar>: Send + Sync {
     /// The secondary rays that the point wants.
     fn secondary<N: Needs>(&self, surface: &Surface<S>) -> Secondary<Self::Weight>;
 
-    /// Told of each ray before it is traced: for counting them. Does nothing unless a model wants it.
+    /// Told of each ray before it is traced: for counting them. Does nothing unless a model wants it. Rays come pixel by pixel,
+    /// but from a loop over all of [`Pixels`](crate::raster::Pixels), as `for_each` is, those of four pixels among each other.
     #[inline]
     fn note(&self, _kind: RayKind) {}
 
@@ -93,8 +94,8 @@ pub trait Illumination<S: Scalar>: Send + Sync {
     #[inline]
     fn note_light(&self, _light: Rgb<S::Light>) {}
 
-    /// Told what part of the lamp's light comes through that [`Illumination::direct`] was asked about last. Does nothing
-    /// unless a model wants it.
+    /// Told what part of the lamp's light comes through that [`Illumination::direct`] was asked about last; or, among the rays of
+    /// four pixels, of one of the last four. Does nothing unless a model wants it.
     #[inline]
     fn note_shadow(&self, _part: S::Unit) {}
 }

@@ -8,17 +8,21 @@
 //! A node holds the boxes of its four children side by side (I. Wald, C. Benthin and S. Boulos, "Getting Rid of Packets",
 //! IEEE Symposium on Interactive Ray Tracing, 2008). The search goes on in the nearest box that the ray enters and keeps
 //! the others on a stack of fixed size. Rays that start at the eye or end at a lamp, which most do, have [`Cube`]s instead
-//! that tell what lies in their direction. Firmware goes by [`bvh`](crate::bvh) or [`hierarchy`](crate::hierarchy) instead.
+//! that tell what lies in their direction, and are searched for four by four. Firmware goes by [`bvh`](crate::bvh) or [`hierarchy`](crate::hierarchy) instead.
 #![allow(clippy::float_arithmetic)] // machines without lanes have none of it
 
 mod cube;
+mod four;
+mod rays;
 mod search;
 
 use glam::Vec4;
 
 use crate::bvh::{Child, Item, first_wrong, index};
 pub use cube::{Cube, Entry, Face};
-pub(crate) use search::{Met, Probe, Search, Waiting};
+pub(crate) use four::Four;
+pub(crate) use rays::Met;
+pub(crate) use search::{CoarseRay, Probe, Search, Waiting};
 
 /// Whether the machine that this is compiled for has lanes.
 pub const LANES: bool =

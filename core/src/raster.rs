@@ -7,10 +7,11 @@ use crate::camera::Camera;
 use crate::color::Rgb;
 use crate::error::Error;
 use crate::illumination::Illumination;
+use crate::lanes::LANES;
 use crate::needs::Needs;
 use crate::scalar::{Scalar, Unit};
-use crate::scene::Occluders;
-use crate::trace::Tracer;
+use crate::scene::Known;
+use crate::trace::{Stack, Tracer};
 use crate::vector::UnitVec3;
 
 /// Width and height in pixels, each 1 to 65535.
@@ -63,7 +64,7 @@ pub struct Pixels<'a, S: Scalar, M, N, const STACK: usize> {
     end: u32,
     /// Where the rows lie: of row `y`.
     height: S::Unit,
-    occluders: Occluders,
+    known: Known,
 }
 
 impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize> Pixels<'a, S, M, N, STACK> {
@@ -91,8 +92,8 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize> Pixels<'a,
         end: u32,
     ) -> Self {
         let height = Raster::center(first.min(raster.height), raster.height);
-        let (end, occluders) = (end.min(raster.height), Occluders::new());
-        Self { tracer, camera, raster, x: 0, y: first, end, height, occluders }
+        let (end, known) = (end.min(raster.height), Known::new());
+        Self { tracer, camera, raster, x: 0, y: first, end, height, known }
     }
 
     /// The next one, whose light `trace` finds.
@@ -100,23 +101,29 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize> Pixels<'a,
     fn step(
         &mut self,
         camera: &Camera<S>,
-        trace: impl FnOnce(UnitVec3<S>, &mut Occluders) -> Rgb<S::Light>,
+        trace: impl FnOnce(UnitVec3<S>, &mut Known) -> Rgb<S::Light>,
     ) -> Option<Rgb<S::Light>> {
         if self.y >= self.end {
             return None;
         }
         let x = Raster::center(self.x, self.raster.width);
-        let light = trace(camera.direction(x, -self.height), &mut self.occluders);
-        self.x += 1;
+        let light = trace(camera.direction(x, -self.height), &mut self.known);
+        self.go_on(1);
+        Some(light)
+    }
+
+    /// On by so many pixels, not beyond the next row's first one.
+    #[inline(always)]
+    fn go_on(&mut self, pixels: u32) {
+        self.x += pixels;
         if self.x == self.raster.width {
             self.x = 0;
             self.y += 1;
             self.height = Raster::center(self.y, self.raster.height);
         }
-        Some(light)
     }
 
-    /// All that are left. Tracer and camera are its own, but arguments, of which it is known that nothing changes them: what all rays
+    /// All that are left, where there are lanes four by four. Tracer and camera are its own, but arguments, of which it is known that nothing changes them: what all rays
     /// need of them is made ready once.
     fn all<B>(
         mut self,
@@ -126,7 +133,25 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize> Pixels<'a,
         mut f: impl FnMut(B, Rgb<S::Light>) -> B,
     ) -> B {
         let mut folded = init;
-        let trace = |direction, occluders: &mut _| tracer.follow(camera.eye, direction, occluders);
+        if LANES {
+            let mut pending = core::array::from_fn(|_| Stack::new());
+            while self.y < self.end {
+                let count = (self.raster.width - self.x).min(4);
+                // Where there are less, the last one again.
+                let directions = [0, 1, 2, 3].map(|k: u32| {
+                    let x = Raster::center(self.x + k.min(count - 1), self.raster.width);
+                    camera.direction(x, -self.height)
+                });
+                let (eye, known) = (camera.eye, &mut self.known);
+                let lights = tracer.follow_four(eye, directions, count, &mut pending, known);
+                for (light, _) in lights.into_iter().zip(0..count) {
+                    folded = f(folded, light);
+                }
+                self.go_on(count);
+            }
+            return folded;
+        }
+        let trace = |direction, known: &mut _| tracer.follow(camera.eye, direction, known);
         while let Some(light) = self.step(camera, trace) {
             folded = f(folded, light);
         }
@@ -140,7 +165,7 @@ impl<S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize> Iterator for P
     #[inline]
     fn next(&mut self) -> Option<Self::Item> {
         let (tracer, camera) = (self.tracer, self.camera);
-        self.step(camera, |direction, occluders| tracer.radiance_after(camera.eye, direction, occluders))
+        self.step(camera, |direction, known| tracer.radiance_after(camera.eye, direction, known))
     }
 
     fn size_hint(&self) -> (usize, Option<usize>) {

@@ -1,11 +1,13 @@
 //! A scene is borrowed data: one list for each kind of thing, in RAM or in flash.
 
+mod four;
+mod known;
 mod nearest;
 mod object;
 mod shadow;
 
+pub(crate) use known::Known;
 pub use object::{Hit, Object};
-pub(crate) use shadow::Occluders;
 
 use crate::bvh::Bvh;
 use crate::color::Rgb;
@@ -108,7 +110,12 @@ impl<S: Scalar> Scene<'_, S> {
     /// What is seen along a ray: the surface of what it hits, or the radiance of a lamp or of the sky.
     #[cfg_attr(not(target_os = "none"), inline(always))]
     pub(crate) fn look<N: Needs>(&self, ray: &Ray<S>, limits: &Limits<S>) -> Seen<'_, S> {
-        let hit = self.find::<N>(ray, limits.lid);
+        self.see::<N>(ray, self.find::<N>(ray, limits.lid), limits)
+    }
+
+    /// What is seen where a ray meets something, if it does.
+    #[cfg_attr(not(target_os = "none"), inline(always))]
+    pub(crate) fn see<N: Needs>(&self, ray: &Ray<S>, hit: Option<Hit<S>>, limits: &Limits<S>) -> Seen<'_, S> {
         if N::VISIBLE_LAMPS
             && let Some(Hit { object: Object::Lamp(i), .. }) = hit
             && let Some(lamp) = self.lamps.get(i)

@@ -3,6 +3,8 @@
 //! A pending ray carries its weight: what part of its light arrives in the pixel. Weights multiply on the way down and
 //! contributions add up, so nothing has to be kept of the way back.
 
+mod four;
+
 use heapless::Vec;
 
 use crate::camera::Camera;
@@ -15,7 +17,7 @@ use crate::needs::Needs;
 use crate::range::Admitted;
 use crate::ray::Ray;
 use crate::scalar::{Light, Scalar, Unit};
-use crate::scene::{Occluders, Seen};
+use crate::scene::{Known, Seen};
 use crate::vector::{LengthVector, UnitVec3, UnitVector, Vec3};
 
 /// Draws a scene with an illumination model.
@@ -33,7 +35,7 @@ pub struct Tracer<'a, S: Scalar, M, N, const STACK: usize> {
 
 /// A ray that waits for its turn.
 #[derive(Clone, Copy, Debug)]
-struct Pending<S: Scalar, W> {
+pub(crate) struct Pending<S: Scalar, W> {
     origin: Vec3<S>,
     direction: UnitVec3<S>,
     weight: W,
@@ -42,7 +44,7 @@ struct Pending<S: Scalar, W> {
 }
 
 /// The rays that wait for their turn.
-type Stack<S, W, const STACK: usize> = Vec<Pending<S, W>, STACK>;
+pub(crate) type Stack<S, W, const STACK: usize> = Vec<Pending<S, W>, STACK>;
 
 impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize> Tracer<'a, S, M, N, STACK> {
     /// Bytes of the stack of pending rays: what the ray tree costs beyond one ray.
@@ -80,7 +82,7 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize> Tracer<'a,
 
     /// The light that arrives at `origin` against `direction`, from all of the ray tree.
     pub fn radiance(&self, origin: Vec3<S>, direction: UnitVec3<S>) -> Rgb<S::Light> {
-        self.radiance_after(origin, direction, &mut Occluders::new())
+        self.radiance_after(origin, direction, &mut Known::new())
     }
 
     /// The same of one ray after another.
@@ -89,22 +91,17 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize> Tracer<'a,
         &self,
         origin: Vec3<S>,
         direction: UnitVec3<S>,
-        occluders: &mut Occluders,
+        known: &mut Known,
     ) -> Rgb<S::Light> {
-        self.follow(origin, direction, occluders)
+        self.follow(origin, direction, known)
     }
 
     /// The same for a loop over many rays.
     #[cfg_attr(not(target_os = "none"), inline(always))] // with all that it calls, so that the loop makes ready what all rays need
-    pub(crate) fn follow(
-        &self,
-        origin: Vec3<S>,
-        direction: UnitVec3<S>,
-        occluders: &mut Occluders,
-    ) -> Rgb<S::Light> {
+    pub(crate) fn follow(&self, origin: Vec3<S>, direction: UnitVec3<S>, known: &mut Known) -> Rgb<S::Light> {
         if !N::MIRROR {
             self.model.note(RayKind::Primary);
-            return self.local(&self.scene.ray::<N>(origin, direction), occluders).0;
+            return self.local(&self.scene.ray::<N>(origin, direction), known).0;
         }
         let mut pending = Stack::<S, M::Weight, STACK>::new();
         let mut light = Rgb::BLACK;
@@ -113,7 +110,7 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize> Tracer<'a,
         while let Some(current) = next {
             self.model.note(current.kind);
             let ray = self.scene.ray::<N>(current.origin, current.direction);
-            let (own, seen) = self.local(&ray, occluders);
+            let (own, seen) = self.local(&ray, known);
             light = light.plus(current.weight.filter(own));
             next = match seen {
                 Some((surface, extent)) if current.depth < self.depth => {
@@ -129,7 +126,7 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize> Tracer<'a,
     /// What one ray brings of its own, and the surface that it has met with the size of its object.
     #[allow(clippy::type_complexity)] // light, and perhaps a surface with a size
     #[cfg_attr(not(target_os = "none"), inline(always))] // see `follow`
-    fn local(&self, ray: &Ray<S>, occluders: &mut Occluders) -> (Rgb<S::Light>, Option<(Surface<'_, S>, S)>) {
+    fn local(&self, ray: &Ray<S>, known: &mut Known) -> (Rgb<S::Light>, Option<(Surface<'_, S>, S)>) {
         let (surface, extent) = match self.scene.look::<N>(ray, &self.scene.limits()) {
             Seen::Light(light) => {
                 self.model.note_light(light);
@@ -142,22 +139,28 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize> Tracer<'a,
             let lamps = if N::SEVERAL_LAMPS { self.scene.lamps.len() } else { 1 };
             for (number, lamp) in self.scene.lamps.iter().take(lamps).enumerate() {
                 if let Some(incident) = Incident::new(lamp, surface.point, surface.normal) {
-                    light = light.plus(self.direct(&surface, &incident, extent, number, occluders));
+                    light = light.plus(self.direct(&surface, &incident, extent, |light, ray, t_max| {
+                        let lid = self.scene.limits().lid;
+                        self.dimmed(
+                            light,
+                            self.scene.transmittance_after::<N>(ray, t_max, lid, number, known),
+                        )
+                    }));
                 }
             }
         }
         (light, Some((surface, extent)))
     }
 
-    /// What the surface sends back of one lamp, by its number.
+    /// What the surface sends back of one lamp if nothing hides it, as `shadow` has made it of that light, the ray that looks
+    /// for what does, and its length.
     #[cfg_attr(not(target_os = "none"), inline(always))] // see `follow`
     fn direct(
         &self,
         surface: &Surface<S>,
         incident: &Incident<S>,
         extent: S,
-        lamp: usize,
-        occluders: &mut Occluders,
+        shadow: impl FnOnce(Rgb<S::Light>, &Ray<S>, S) -> Rgb<S::Light>,
     ) -> Rgb<S::Light> {
         let behind = incident.cosine <= S::Unit::ZERO;
         if behind && !M::BOTH_SIDES {
@@ -170,9 +173,13 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize> Tracer<'a,
         let side = if behind { -surface.normal } else { surface.normal };
         let (origin, used) = surface.point.leave(side, incident.direction, extent);
         self.model.note(RayKind::Shadow);
-        let shadow = self.scene.ray::<N>(origin, incident.direction);
-        let (t_max, lid) = (incident.distance - used, self.scene.limits().lid);
-        let part = self.scene.transmittance_after::<N>(&shadow, t_max, lid, lamp, occluders);
+        let ray = self.scene.ray::<N>(origin, incident.direction);
+        shadow(light, &ray, incident.distance - used)
+    }
+
+    /// The part of a lamp's light that comes through.
+    #[inline(always)]
+    fn dimmed(&self, light: Rgb<S::Light>, part: S::Unit) -> Rgb<S::Light> {
         self.model.note_shadow(part);
         if part == S::Unit::ONE { light } else { light.map(|register| register.times(part)) }
     }

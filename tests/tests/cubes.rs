@@ -1,5 +1,5 @@
-//! Wherever eye and lamps are, the direction cubes about them hide nothing: pictures of random scenes are the same, to the last
-//! bit of light, as those of firmware's search.
+//! Wherever eye and lamps are, the direction cubes about them hide nothing, and neither do rays that are searched for four by
+//! four: pictures of random scenes are the same, to the last bit of light, as those of firmware's search.
 
 #![allow(clippy::indexing_slicing, reason = "a test may panic")]
 
@@ -11,12 +11,15 @@ use rta_core::needs::Everything;
 use rta_core::raster::{Pixels, Raster};
 use rta_core::trace::Tracer;
 use rta_core::{Q16, Q20};
-use rta_scenes::description::{Camera, Cone, Description, Ellipsoid, Lamp, Sphere, Surface, Triangle};
+use rta_scenes::description::{
+    Camera, Cone, Cylinder, Description, Ellipsoid, Floor, Lamp, Sphere, Surface, Triangle,
+};
 use rta_scenes::narrow::{Narrow, Narrowed, narrow};
 
 /// Scenes of each number format.
-const SCENES: u64 = 40;
-const SIDE: u32 = 48;
+const SCENES: u64 = 60;
+/// Not all rays of a row have three others beside them.
+const SIDE: u32 = 46;
 
 /// A place up to `reach` about another along each axis.
 fn about(place: [f64; 3], reach: f64, rng: &mut Rng) -> [f64; 3] {
@@ -28,8 +31,8 @@ fn surface(rng: &mut Rng) -> Surface {
     Surface::Finish { kd, ks, exponent: 20.0, kt, ior: 1.1 }
 }
 
-/// Clusters of all sizes, up to 400 objects of every kind; the eye is among them or before them, lamps are among them or up to 60
-/// times as far away; there may be a floor of two triangles.
+/// Clusters of all sizes, up to 400 objects of every kind, but in each third scene up to 8; the eye is among them or before them,
+/// lamps are among them or up to 60 times as far away; there may be a floor of two triangles, or a chequered one with cylinders.
 fn scene(seed: u64) -> Description {
     let rng = &mut Rng::with_seed(seed);
     let spread = 10f64.powf(2.0 * rng.f64() - 0.5);
@@ -39,7 +42,8 @@ fn scene(seed: u64) -> Description {
     let camera = Camera::upright(eye, way.map(|c| c / length), 0.7);
     let mut scene = Description { ambient: [0.3; 3], ..Description::empty(camera) };
     let (mut center, mut size) = ([0.0; 3], spread);
-    for number in 0..rng.usize(9..400) {
+    let few = seed % 3 == 2;
+    for number in 0..rng.usize(if few { 1..9 } else { 9..400 }) {
         if number % 9 == 0 {
             center = about([0.0; 3], spread, rng);
             size = spread * 10f64.powf(-1.5 * rng.f64());
@@ -75,6 +79,14 @@ fn scene(seed: u64) -> Description {
             scene.triangles.push(Triangle { vertices, normals: None, color, surface, line: 0 });
         }
     }
+    if rng.u8(..4) == 0 {
+        scene.floor = Some(Floor { colors: [[0.9; 3], [0.2; 3]] });
+        for _ in 0..rng.usize(..6) {
+            let (position, surface) = (about([0.0; 3], spread, rng), surface(rng));
+            let radius = 0.2 * spread * rng.f64() + 0.001 * spread;
+            scene.cylinders.push(Cylinder { position, radius, color: [0.6; 3], surface, line: 0 });
+        }
+    }
     for _ in 0..rng.usize(1..4) {
         let far = [0.5, 2.0, 10.0, 60.0][rng.usize(..4)] * spread;
         let radius = if rng.bool() { 0.05 * spread } else { 0.0 };
@@ -84,10 +96,27 @@ fn scene(seed: u64) -> Description {
     scene
 }
 
-fn picture<S: Narrow>(scene: &Narrowed<S>) -> Vec<Rgb<S::Light>> {
+/// Whether rays are followed one by one, or those of four pixels beside each other.
+#[derive(Clone, Copy)]
+enum Rays {
+    Single,
+    Four,
+}
+
+fn picture<S: Narrow>(scene: &Narrowed<S>, rays: Rays) -> Vec<Rgb<S::Light>> {
     let admitted = scene.scene().admit(&scene.camera).expect("it fits");
     let tracer: Tracer<S, _, Everything, 3> = Tracer::new(admitted, Phong::default(), 3).expect("a depth");
-    Pixels::new(&tracer, &scene.camera, Raster::new(SIDE, SIDE).expect("a raster")).collect()
+    let mut pixels = Pixels::new(&tracer, &scene.camera, Raster::new(SIDE, SIDE).expect("a raster"));
+    let mut picture = Vec::new();
+    match rays {
+        Rays::Single => {
+            while let Some(light) = pixels.next() {
+                picture.push(light);
+            }
+        }
+        Rays::Four => pixels.for_each(|light| picture.push(light)),
+    }
+    picture
 }
 
 fn compare<S: Narrow>() {
@@ -100,7 +129,9 @@ fn compare<S: Narrow>() {
             continue;
         }
         let firmware = lanes.clone().without_lanes(&scene);
-        assert!(picture(&lanes) == picture(&firmware), "scene {seed} in {}", S::NAME);
+        let (right, single) = (picture(&firmware, Rays::Single), picture(&lanes, Rays::Single));
+        assert!(single == right, "scene {seed} in {}", S::NAME);
+        assert!(picture(&lanes, Rays::Four) == right, "scene {seed} in {}, four by four", S::NAME);
         drawn += 1;
         served += usize::from(lanes.lanes.cubes.iter().any(|cube| cube.slack > 0.0));
     }

@@ -6,7 +6,7 @@
 
 use glam::Vec4;
 
-use super::{Lanes, Probe};
+use super::{CoarseRay, Lanes};
 use crate::bvh::index;
 
 /// A pack that is seen through a cell, and how much farther away it is than [`Cube::nearest`], with 7 binary digits.
@@ -87,6 +87,9 @@ pub struct Cube {
 
 /// Added and taken away again, it rounds what is below 2^22 in size.
 const ROUND: Vec4 = Vec4::splat(12_582_912.0);
+/// Added to a whole number below 2^23, that is the last digits of the sum.
+const WHOLE: f32 = 8_388_608.0;
+const DIGITS: u32 = 0x7f_ffff;
 
 impl Cube {
     /// One that serves no ray.
@@ -96,14 +99,10 @@ impl Cube {
     /// The number of the cell that a direction leads through.
     #[inline(always)]
     fn cell(&self, direction: Vec4) -> Option<usize> {
-        let [x, y, z, _] = direction.abs().to_array();
-        let (axis, most) = if x >= y && x >= z {
-            (0, x)
-        } else if y >= z {
-            (1, y)
-        } else {
-            (2, z)
-        };
+        // Without a branch, as the axis is as good as random from one lamp to the next.
+        let size = direction.abs();
+        let most = size.max_element();
+        let axis = index(size.cmpge(Vec4::splat(most)).bitmask().trailing_zeros() & 3);
         let side = direction.is_negative_bitmask() as usize >> axis & 1;
         let face = self.faces.get(2 * axis + side)?;
         let place = (direction * Vec4::splat(most.recip()) - face.low) * face.scale;
@@ -111,13 +110,59 @@ impl Cube {
             return Some(index(face.beside));
         }
         let place = (place + ROUND) - ROUND;
-        // A whole number below 2^23, which the last bits of the sum are.
-        let cell = (place.dot(face.stride) + 8_388_608.0).to_bits() & 0x7f_ffff;
+        let cell = (place.dot(face.stride) + WHOLE).to_bits() & DIGITS;
         Some(index(face.first) + index(cell))
+    }
+
+    /// The numbers of the cells that four directions lead through; where there is none, one beyond all.
+    #[inline(always)]
+    pub(super) fn cells(&self, direction: [Vec4; 3]) -> [usize; 4] {
+        let [x, y, z] = direction;
+        let (ax, ay, az) = (x.abs(), y.abs(), z.abs());
+        let most = ax.max(ay).max(az);
+        let (along_x, along_y) = (ax.cmpge(most).bitmask(), ay.cmpge(most).bitmask());
+        let face = match (along_x, along_y) {
+            (15, _) => one_of(self.faces.first_chunk(), x),
+            (0, 15) => one_of(self.faces.get(2..).and_then(|rest| rest.first_chunk()), y),
+            (0, 0) => one_of(self.faces.last_chunk(), z),
+            _ => None,
+        };
+        let Some(face) = face else {
+            let lane = |k: usize| {
+                let at = |four: Vec4| four.as_ref().get(k).copied().unwrap_or_default();
+                self.cell(Vec4::new(at(x), at(y), at(z), 0.0)).unwrap_or(usize::MAX)
+            };
+            return [lane(0), lane(1), lane(2), lane(3)];
+        };
+        let (inverse, mut cells, mut are_there) = (most.recip(), Vec4::splat(WHOLE), 15);
+        for (axis, direction) in direction.into_iter().enumerate() {
+            let at = |four: Vec4| Vec4::splat(four.as_ref().get(axis).copied().unwrap_or_default());
+            let place = (direction * inverse - at(face.low)) * at(face.scale);
+            are_there &= (place.cmpge(Vec4::splat(-0.5)) & place.cmplt(at(face.end))).bitmask();
+            cells += ((place + ROUND) - ROUND) * at(face.stride);
+        }
+        let mut lane = 0;
+        cells.to_array().map(|cell| {
+            let is_there = are_there >> lane & 1 == 1;
+            lane += 1;
+            if is_there { index(face.first) + index(cell.to_bits() & DIGITS) } else { index(face.beside) }
+        })
+    }
+}
+
+/// The face on the side of four numbers; nothing where they are not on one side.
+#[inline(always)]
+fn one_of(faces: Option<&[Face; 2]>, along: Vec4) -> Option<&Face> {
+    let [upwards, downwards] = faces?;
+    match along.is_negative_bitmask() {
+        0 => Some(upwards),
+        15 => Some(downwards),
+        _ => None,
     }
 }
 
 /// What a ray may meet that goes by the point of a cube, near things first.
+#[derive(Clone, Copy)]
 pub(crate) struct Seen<'a> {
     pub(crate) entries: &'a [Entry],
     nearest: f32,
@@ -134,29 +179,28 @@ impl Seen<'_> {
 impl<'a> Lanes<'a> {
     /// What a ray may meet that starts at the eye; nothing if it does not.
     #[inline(always)]
-    pub(crate) fn eye_sees(&self, probe: &Probe) -> Option<Seen<'a>> {
+    pub(crate) fn eye_sees(&self, ray: &CoarseRay) -> Option<Seen<'a>> {
         let cube = self.cubes.first()?;
-        let beside = cube.center - probe.ray.origin;
-        let is_there = beside.length_squared() <= cube.slack * cube.slack && probe.ray.margin <= cube.margin;
-        is_there.then(|| self.seen(cube, probe.ray.direction))
+        let beside = cube.center - ray.origin;
+        let is_there = beside.length_squared() <= cube.slack * cube.slack && ray.margin <= cube.margin;
+        is_there.then(|| self.seen(cube, ray.direction))
     }
 
-    /// What a ray may meet that ends at a lamp, by its number, and how far away it starts; nothing if it does not end there, or
-    /// if that is too much.
+    /// What a ray may meet nearer than `t_max` that ends at a lamp, by its number, and how far away it starts; nothing if it does not
+    /// end there, or if that is too much.
     #[inline(always)]
-    pub(crate) fn lamp_sees(&self, probe: &Probe, lamp: usize) -> Option<(Seen<'a>, f32)> {
+    pub(crate) fn lamp_sees(&self, ray: &CoarseRay, t_max: f32, lamp: usize) -> Option<(Seen<'a>, f32)> {
         let cube = self.cubes.get(lamp + 1)?;
-        let way = cube.center - probe.ray.origin;
-        let along = way.dot(probe.ray.direction);
-        let beside = way - probe.ray.direction * along;
+        let way = cube.center - ray.origin;
+        let along = way.dot(ray.direction);
+        let beside = way - ray.direction * along;
         let far = along + cube.slack;
-        let is_there = beside.length_squared() <= cube.slack * cube.slack
-            && probe.ray.margin <= cube.margin
-            && probe.t_max <= far;
+        let is_there =
+            beside.length_squared() <= cube.slack * cube.slack && ray.margin <= cube.margin && t_max <= far;
         if !is_there {
             return None;
         }
-        let seen = self.seen(cube, -probe.ray.direction);
+        let seen = self.seen(cube, -ray.direction);
         match seen.entries.last() {
             Some(&rest) if rest.pack() == Entry::REST && seen.near(rest) <= far => None,
             _ => Some((seen, far)),
@@ -170,6 +214,15 @@ impl<'a> Lanes<'a> {
             self.entries.get(index(first)..index(end))
         });
         Seen { entries: run.unwrap_or_default(), nearest: cube.nearest }
+    }
+
+    /// What a cell has, by its number, of the eye's cube or of that of a lamp.
+    #[inline(always)]
+    pub(crate) fn in_cell(&self, cube: usize, cell: usize) -> Seen<'a> {
+        let run = self.cells.get(cell).zip(self.cells.get(cell + 1));
+        let run = run.and_then(|(&first, &end)| self.entries.get(index(first)..index(end)));
+        let nearest = self.cubes.get(cube).map_or(0.0, |cube| cube.nearest);
+        Seen { entries: run.unwrap_or_default(), nearest }
     }
 
     /// Whether all that the cubes name is there.

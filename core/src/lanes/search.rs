@@ -3,8 +3,9 @@
 use glam::Vec4;
 use heapless::Vec;
 
-use super::{Boxes, LARGEST, Lanes, Pack, Posts, Rods, Sheets};
-use crate::bvh::{Bits, Child, MAX_DEPTH};
+use super::rays::{Met, Rays};
+use super::{Boxes, LARGEST, Lanes, Pack, Posts};
+use crate::bvh::{Bits, Child, MAX_DEPTH, index};
 use crate::ray::Ray;
 use crate::scalar::{Scalar, Unit};
 use crate::vector::Vector;
@@ -16,7 +17,8 @@ const STACK: usize = 3 * MAX_DEPTH + 1;
 const LEAST: f32 = 1e-12;
 
 /// A ray in `f32`.
-pub(super) struct CoarseRay {
+#[derive(Clone, Copy)]
+pub(crate) struct CoarseRay {
     pub(super) origin: Vec4,
     pub(super) direction: Vec4,
     pub(super) margin: f32,
@@ -25,7 +27,7 @@ pub(super) struct CoarseRay {
 impl CoarseRay {
     /// Of a ray from so far away that its test could overflow, one that meets everything.
     #[inline(always)]
-    fn new<S: Scalar>(ray: &Ray<S>, size: f32) -> Self {
+    pub(super) fn new<S: Scalar>(ray: &Ray<S>, size: f32) -> Self {
         let (o, d) = (ray.origin, ray.direction);
         let origin = Vec4::new(o.x().coarse(), o.y().coarse(), o.z().coarse(), size);
         let direction = Vec4::new(d.x().coarse(), d.y().coarse(), d.z().coarse(), 0.0);
@@ -40,17 +42,16 @@ impl CoarseRay {
 
 /// Each coordinate four times.
 #[inline(always)]
-fn splat(v: Vec4) -> [Vec4; 3] {
+pub(super) fn splat(v: Vec4) -> [Vec4; 3] {
     [Vec4::splat(v.x), Vec4::splat(v.y), Vec4::splat(v.z)]
 }
 
 /// A ray made ready for many packs, and how far it goes.
 pub(crate) struct Probe<'a> {
     lanes: &'a Lanes<'a>,
-    pub(super) ray: CoarseRay,
-    origin: [Vec4; 3],
-    direction: [Vec4; 3],
-    pub(super) t_max: f32,
+    pub(crate) ray: CoarseRay,
+    rays: Rays,
+    pub(crate) t_max: f32,
 }
 
 impl<'a> Probe<'a> {
@@ -58,11 +59,12 @@ impl<'a> Probe<'a> {
     #[inline(always)]
     pub(crate) fn new<S: Scalar>(lanes: &'a Lanes<'a>, ray: &Ray<S>, t_max: S) -> Self {
         let ray = CoarseRay::new(ray, lanes.size);
+        let t_max = t_max.coarse() + ray.margin;
+        let (origin, direction) = (splat(ray.origin), splat(ray.direction));
         Self {
             lanes,
-            origin: splat(ray.origin),
-            direction: splat(ray.direction),
-            t_max: t_max.coarse() + ray.margin,
+            rays: Rays { origin, direction, margin: ray.margin, t_max: Vec4::splat(t_max) },
+            t_max,
             ray,
         }
     }
@@ -71,6 +73,7 @@ impl<'a> Probe<'a> {
     #[inline(always)]
     pub(crate) fn shorten<S: Scalar>(&mut self, t: S) {
         self.t_max = t.coarse() + self.ray.margin;
+        self.rays.t_max = Vec4::splat(self.t_max);
     }
 
     /// Whether what is not nearer than `near` is beyond its end.
@@ -82,23 +85,17 @@ impl<'a> Probe<'a> {
     /// Which of a pack's items the ray may meet ahead and before its end.
     #[inline(always)]
     pub(crate) fn meet<S: Scalar>(&self, pack: &Pack) -> Met {
-        let ([ox, oy, oz], [dx, dy, dz], [cx, cy, cz]) = (self.origin, self.direction, pack.center);
-        let (x, y, z) = (cx - ox, cy - oy, cz - oz);
-        let b = x * dx + y * dy + z * dz;
-        let (x, y, z) = (x - dx * b, y - dy * b, z - dz * b);
-        let across = x * x + y * y + z * z;
-        let r = pack.radius + Vec4::splat(self.ray.margin);
-        let is_along = (b + r).cmpgt(Vec4::ZERO) & (b - r).cmplt(Vec4::splat(self.t_max));
-        let mut mask = (across.cmple(r * r) & is_along).bitmask();
-        if mask != 0 && pack.rods != Pack::NO_RODS {
-            let rods = usize::try_from(pack.rods).ok().and_then(|number| self.lanes.rods.get(number));
-            mask &= rods.map_or(mask, |rods| self.meet_rods(pack, rods));
+        let mut met = self.rays.meet_spheres(pack.center, pack.radius);
+        if met.mask != 0 && pack.rods != Pack::NO_RODS {
+            let rods = self.lanes.rods.get(index(pack.rods));
+            met.mask &= rods.map_or(met.mask, |rods| self.rays.meet_rods(pack.center, rods));
         }
-        if mask != 0 && pack.sheets != Pack::NO_SHEETS {
-            let sheets = usize::try_from(pack.sheets).ok().and_then(|number| self.lanes.sheets.get(number));
-            mask &= sheets.map_or(mask, |sheets| self.meet_sheets::<S>(sheets, mask));
+        if met.mask != 0 && pack.sheets != Pack::NO_SHEETS {
+            let sheets = self.lanes.sheets.get(index(pack.sheets));
+            met.mask &=
+                sheets.map_or(met.mask, |sheets| self.rays.meet_sheets::<S>(sheets, |four| *four, met.mask));
         }
-        Met { mask, along: b, across }
+        met
     }
 
     /// The distance of a hit nearer than `t_max`, if item `k` of a pack is a sphere. Nothing where it has to be asked itself: in
@@ -112,80 +109,10 @@ impl<'a> Probe<'a> {
         S::of_lane(lane(&met.along)?, lane(&met.across)?, lane(&pack.radius)?, t_max)
     }
 
-    /// Which of four vertical cylinders the ray may meet ahead and before its end: as [`Probe::meet_rods`] sees it. Its way
-    /// seen from above is not longer than the way.
+    /// Which of four vertical cylinders the ray may meet ahead and before its end.
     #[inline(always)]
     pub(crate) fn meet_posts(&self, posts: &Posts) -> Bits {
-        let ([ox, oy, _], [dx, dy, _], [cx, cy]) = (self.origin, self.direction, posts.center);
-        let margin = Vec4::splat(self.ray.margin);
-        let (x, y, r) = (cx - ox, cy - oy, posts.radius + margin);
-        let (b, s) = (x * dx + y * dy, ((x * dy - y * dx).abs() - margin).max(Vec4::ZERO));
-        let is_along = (b + r).cmpgt(Vec4::ZERO) & (b - r).cmplt(Vec4::splat(self.t_max));
-        Bits((is_along & !(s * s).cmpgt(r * r * (dx * dx + dy * dy))).bitmask())
-    }
-
-    /// Of the triangles in `mask`, those that the ray may meet.
-    ///
-    /// In `f32` those are left out that it leads away from, by the first test of [`Triangle`](crate::shape::Triangle) and its arithmetic;
-    /// but for a ray from too far away, whose numbers are not its own. Then those are left out whose plane it meets beyond an
-    /// edge, by the part `cosine` of how far. A triangle's own test lets by as much as 168 EPSILON of `far`, or 4 LSB and 2^-25
-    /// of its distance, and these sums err by less than 60 EPSILON of `far`: four margins are more.
-    #[inline]
-    fn meet_sheets<S: Scalar>(&self, sheets: &Sheets, mask: u32) -> u32 {
-        let ([ox, oy, oz], [dx, dy, dz]) = (self.origin, self.direction);
-        let ([x, y, z], [nx, ny, nz]) = (sheets.corner, sheets.normal);
-        let (x, y, z) = (x - ox, y - oy, z - oz);
-        let height = x * nx + y * ny + z * nz;
-        let cosine = nx * dx + ny * dy + nz * dz;
-        let (zero, mut mask) = (Vec4::ZERO, mask);
-        let is_upwards = cosine.cmpgt(zero);
-        if S::IN_LANES && self.ray.margin < f32::INFINITY {
-            let behind = (is_upwards & height.cmple(zero)) | (cosine.cmple(zero) & height.cmpge(zero));
-            mask &= !behind.bitmask();
-        }
-        if mask == 0 {
-            return 0;
-        }
-        let least = Vec4::splat(-4.0 * self.ray.margin);
-        let [first, second, third] = sheets
-            .inward
-            .map(|[ix, iy, iz]| height * (ix * dx + iy * dy + iz * dz) - cosine * (x * ix + y * iy + z * iz));
-        let first = first + sheets.height * cosine;
-        // Upwards none of them is below 0, downwards none above.
-        let is_upwards = is_upwards & (first.cmplt(least) | second.cmplt(least) | third.cmplt(least));
-        let is_downwards =
-            cosine.cmplt(zero) & (first.cmpgt(-least) | second.cmpgt(-least) | third.cmpgt(-least));
-        mask & !(is_upwards | is_downwards).bitmask()
-    }
-
-    /// A bit for each cylinder that the ray meets if it is endless too. The nearest of the two lines is `|s| / |n|`, with `n`
-    /// normal to both; `s` errs by less than the margin, as a foot point does. What is no number, as where the margin is
-    /// infinite, is met.
-    #[inline]
-    fn meet_rods(&self, pack: &Pack, rods: &Rods) -> u32 {
-        let ([ox, oy, oz], [dx, dy, dz], [cx, cy, cz]) = (self.origin, self.direction, pack.center);
-        let ([ax, ay, az], margin) = (rods.axis, Vec4::splat(self.ray.margin));
-        let (nx, ny, nz) = (dy * az - dz * ay, dz * ax - dx * az, dx * ay - dy * ax);
-        let s = (cx - ox) * nx + (cy - oy) * ny + (cz - oz) * nz;
-        let (s, r) = ((s.abs() - margin).max(Vec4::ZERO), rods.radius + margin);
-        (!(s * s).cmpgt(r * r * (nx * nx + ny * ny + nz * nz))).bitmask()
-    }
-}
-
-/// What a ray may meet of a pack.
-pub(crate) struct Met {
-    mask: u32,
-    /// Distance of the foot point of each centre.
-    along: Vec4,
-    /// The square of how far the foot point is from the centre.
-    across: Vec4,
-}
-
-impl Met {
-    /// The numbers of the items, 0 to 3.
-    #[inline(always)]
-    pub(crate) fn items(&self) -> Bits {
-        Bits(self.mask)
+        Bits(self.rays.meet_posts(posts.center, posts.radius))
     }
 }
 

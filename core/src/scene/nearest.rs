@@ -11,16 +11,23 @@ use crate::scalar::Scalar;
 use crate::shape::sphere;
 
 /// The nearest hit so far, of objects that come in any order.
-struct Best<S> {
-    hit: Option<Hit<S>>,
+#[derive(Clone, Copy)]
+pub(super) struct Best<S> {
+    pub(super) hit: Option<Hit<S>>,
     /// What is as near as that hit is looked at too.
-    limit: S,
+    pub(super) limit: S,
 }
 
 impl<S: Scalar> Best<S> {
+    /// A ray that meets the floor at a distance, if it does.
+    pub(super) fn new(floor: Option<S>) -> Self {
+        let hit = floor.map(|distance| Hit { distance, object: Object::Floor });
+        Self { hit, limit: floor.unwrap_or(S::FAR).next_up() }
+    }
+
     /// Takes a hit below the limit that is nearer, or comes before it in order: its distance.
     #[inline(always)]
-    fn offer(&mut self, found: Hit<S>) -> Option<S> {
+    pub(super) fn offer(&mut self, found: Hit<S>) -> Option<S> {
         if self.hit.is_some_and(|hit| found.distance >= hit.distance && found.object >= hit.object) {
             return None;
         }
@@ -55,7 +62,7 @@ impl<S: Scalar> Scene<'_, S> {
 
     /// The same for what is not a sphere.
     #[inline(never)] // so that spheres are tried at once
-    fn meet_other<N: Needs>(&self, item: Item, ray: &Ray<S>, t_max: S) -> Option<Hit<S>> {
+    pub(super) fn meet_other<N: Needs>(&self, item: Item, ray: &Ray<S>, t_max: S) -> Option<Hit<S>> {
         let (distance, object) = match item {
             Item::Ellipsoid(i) if N::ELLIPSOIDS => {
                 (self.ellipsoids.get(index(i))?.intersect(ray, t_max)?, Object::Ellipsoid(index(i)))
@@ -186,8 +193,7 @@ impl<S: Scalar> Scene<'_, S> {
     #[inline(always)]
     fn nearest_laned<N: Needs>(&self, ray: &Ray<S>, floor: Option<S>, lid: S) -> Option<Hit<S>> {
         let t_max = floor.unwrap_or(S::FAR);
-        let hit = floor.map(|distance| Hit { distance, object: Object::Floor });
-        let mut best = Best { hit, limit: t_max.next_up() };
+        let mut best = Best::new(floor);
         let mut probe = Probe::new(&self.lanes, ray, t_max);
         if N::CYLINDERS {
             for posts in self.lanes.posts {
@@ -217,7 +223,7 @@ impl<S: Scalar> Scene<'_, S> {
     /// may be more.
     #[inline(always)]
     fn nearest_seen<N: Needs>(&self, ray: &Ray<S>, probe: &mut Probe, best: &mut Best<S>) -> bool {
-        let Some(seen) = self.lanes.eye_sees(probe) else { return false };
+        let Some(seen) = self.lanes.eye_sees(&probe.ray) else { return false };
         for &entry in seen.entries {
             if probe.ends_before(seen.near(entry)) {
                 return true;

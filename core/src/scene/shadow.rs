@@ -2,7 +2,7 @@
 
 use heapless::Vec;
 
-use super::Scene;
+use super::{Known, Scene};
 use crate::bvh::{Item, index};
 use crate::hierarchy::Walk;
 use crate::lanes::{LANES, Pack, Probe, Search, Waiting};
@@ -11,37 +11,22 @@ use crate::needs::Needs;
 use crate::ray::Ray;
 use crate::scalar::{Scalar, Unit};
 
-/// Which object hid each lamp from the last point that it was hidden from: it is the first to be asked the next time (the shadow
-/// cache, after E. Haines and D. Greenberg, "The Light Buffer", IEEE CG&A 6, 1986). Nothing where there are no lanes.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Occluders([Item; OCCLUDERS]);
-
-/// More lamps share them.
-const OCCLUDERS: usize = if LANES { 8 } else { 0 };
-
-impl Occluders {
-    /// Nothing has hidden a lamp.
-    pub(crate) const fn new() -> Self {
-        Self([Item::NONE; OCCLUDERS])
-    }
-
-    /// That of a lamp.
-    fn of(&mut self, lamp: usize) -> Option<&mut Item> {
-        self.0.get_mut(lamp % 8)
-    }
-}
-
 /// If so many objects are on the way of a shadow ray, they are gone through in the order of their lists.
 const MANY: usize = if LANES { 32 } else { 8 };
 
 /// What comes through objects that are met in any order, in the order of their lists: it is multiplied in that order, as
 /// rounded products depend on it.
-struct Shade<S: Scalar>(Vec<(Item, S::Unit), MANY>);
+pub(super) struct Shade<S: Scalar>(Vec<(Item, S::Unit), MANY>);
 
 impl<S: Scalar> Shade<S> {
+    /// Nothing yet.
+    pub(super) const fn new() -> Self {
+        Self(Vec::new())
+    }
+
     /// Takes the part of the light that an object lets through: false if that is none of it.
     #[inline(never)] // so that a ray which meets nothing does not prepare for it
-    fn pass<N: Needs>(&mut self, item: Item, material: &Material<S>) -> bool {
+    pub(super) fn pass<N: Needs>(&mut self, item: Item, material: &Material<S>) -> bool {
         match material.glass::<N>() {
             Some(glass) if N::TRANSPARENT_SHADOWS => {
                 // When it is full, what is in it does not matter any more.
@@ -62,7 +47,7 @@ impl<S: Scalar> Shade<S> {
 
     /// What comes through all of them; nothing if they were too many.
     #[inline(always)]
-    fn light(&mut self) -> Option<S::Unit> {
+    pub(super) fn light(&mut self) -> Option<S::Unit> {
         if self.0.is_empty() { Some(S::Unit::ONE) } else { self.product() }
     }
 
@@ -78,28 +63,28 @@ impl<S: Scalar> Scene<'_, S> {
     /// transparent, else the product of kt over the transparent objects on the way, once for each. Cylinders end at the
     /// height `lid`.
     pub fn transmittance<N: Needs>(&self, ray: &Ray<S>, t_max: S, lid: S) -> S::Unit {
-        self.transmittance_after::<N>(ray, t_max, lid, 0, &mut Occluders::new())
+        self.transmittance_after::<N>(ray, t_max, lid, 0, &mut Known::new())
     }
 
-    /// The same of a lamp by its number, where `occluders` is what is known of other points.
+    /// The same of a lamp by its number, where `known` is what is known of other points.
     pub(crate) fn transmittance_after<N: Needs>(
         &self,
         ray: &Ray<S>,
         t_max: S,
         lid: S,
         lamp: usize,
-        occluders: &mut Occluders,
+        known: &mut Known,
     ) -> S::Unit {
         let zero = S::Unit::ZERO;
-        let mut light;
+        let light;
         let mut has_cylinders = N::CYLINDERS;
         if self.is_laned::<N>() {
-            let Some(through) = self.through_lanes::<N>(ray, t_max, lid, lamp, occluders) else {
+            let Some(through) = self.through_lanes::<N>(ray, t_max, lid, lamp, known) else {
                 return zero;
             };
             (light, has_cylinders) = through;
         } else if self.is_boxed::<N>() {
-            let mut shade = Shade(Vec::new());
+            let mut shade = Shade::new();
             let is_open = self.boxes.all(ray, t_max, |item| {
                 self.meet::<N>(item, ray, t_max).is_none()
                     || self.item_material(item).is_none_or(|material| shade.pass::<N>(item, material))
@@ -111,6 +96,20 @@ impl<S: Scalar> Scene<'_, S> {
         } else {
             light = self.through_lists::<N>(ray, t_max);
         }
+        self.through_rest::<N>(ray, t_max, lid, light, has_cylinders)
+    }
+
+    /// What of `light` comes through cylinders, if there are some on the way, and through the floor.
+    #[inline(always)]
+    pub(super) fn through_rest<N: Needs>(
+        &self,
+        ray: &Ray<S>,
+        t_max: S,
+        lid: S,
+        mut light: S::Unit,
+        has_cylinders: bool,
+    ) -> S::Unit {
+        let zero = S::Unit::ZERO;
         if light == zero {
             return zero;
         }
@@ -141,9 +140,9 @@ impl<S: Scalar> Scene<'_, S> {
         t_max: S,
         lid: S,
         lamp: usize,
-        occluders: &mut Occluders,
+        known: &mut Known,
     ) -> Option<(S::Unit, bool)> {
-        let last = occluders.of(lamp)?;
+        let last = &mut known.of(lamp)?.occluder;
         if *last != Item::NONE {
             if self.meet::<N>(*last, ray, t_max).is_some() {
                 return None;
@@ -167,11 +166,11 @@ impl<S: Scalar> Scene<'_, S> {
                 }
             }
         }
-        let mut shade = Shade(Vec::new());
+        let mut shade = Shade::new();
         let mut found = Item::NONE;
         if self.lanes.nodes.is_empty() {
             found = self.first_opaque_of::<N>(self.lanes.packs, ray, t_max, &probe, &mut shade);
-        } else if let Some((seen, far)) = self.lanes.lamp_sees(&probe, lamp) {
+        } else if let Some((seen, far)) = self.lanes.lamp_sees(&probe.ray, probe.t_max, lamp) {
             for &entry in seen.entries {
                 if seen.near(entry) > far {
                     break;
@@ -226,7 +225,7 @@ impl<S: Scalar> Scene<'_, S> {
     }
 
     /// What comes through all finite objects, one after the other.
-    fn through_lists<N: Needs>(&self, ray: &Ray<S>, t_max: S) -> S::Unit {
+    pub(super) fn through_lists<N: Needs>(&self, ray: &Ray<S>, t_max: S) -> S::Unit {
         let mut light = S::Unit::ONE;
         if N::SPHERES {
             let mut walk = Walk::<S, N>::new(self.hierarchy, self.spheres);
@@ -263,7 +262,7 @@ impl<S: Scalar> Scene<'_, S> {
 }
 
 /// Dims light by what a material lets through of it: false if nothing is left, and no need to look further.
-fn dim<S: Scalar, N: Needs>(light: &mut S::Unit, material: &Material<S>) -> bool {
+pub(super) fn dim<S: Scalar, N: Needs>(light: &mut S::Unit, material: &Material<S>) -> bool {
     *light = match material.glass::<N>() {
         Some(glass) if N::TRANSPARENT_SHADOWS => light.times(glass.kt),
         _ => S::Unit::ZERO,

@@ -1,0 +1,124 @@
+//! Four rays and one thing, or one ray and four things: spheres, cylinders, triangles.
+
+use glam::Vec4;
+
+use super::{Rods, Sheets};
+use crate::bvh::Bits;
+use crate::scalar::Scalar;
+
+/// Four rays side by side, or one ray four times, and how far they go.
+#[derive(Clone, Copy)]
+pub(crate) struct Rays {
+    /// x, y and z of where they start.
+    pub(super) origin: [Vec4; 3],
+    /// x, y and z of where they lead.
+    pub(super) direction: [Vec4; 3],
+    /// The largest of their margins.
+    pub(super) margin: f32,
+    /// Distances, with the margin.
+    pub(super) t_max: Vec4,
+}
+
+impl Rays {
+    /// Which of them meet which spheres ahead and before their end.
+    #[inline(always)]
+    pub(super) fn meet_spheres(&self, [cx, cy, cz]: [Vec4; 3], radius: Vec4) -> Met {
+        let ([ox, oy, oz], [dx, dy, dz]) = (self.origin, self.direction);
+        let (x, y, z) = (cx - ox, cy - oy, cz - oz);
+        let b = x * dx + y * dy + z * dz;
+        let (x, y, z) = (x - dx * b, y - dy * b, z - dz * b);
+        let across = x * x + y * y + z * z;
+        let r = radius + Vec4::splat(self.margin);
+        let is_along = (b + r).cmpgt(Vec4::ZERO) & (b - r).cmplt(self.t_max);
+        Met { mask: (across.cmple(r * r) & is_along).bitmask(), along: b, across }
+    }
+
+    /// A bit for each vertical cylinder that a ray may meet ahead and before its end: as [`Rays::meet_rods`] sees it. The way
+    /// seen from above is not longer than the way.
+    #[inline(always)]
+    pub(super) fn meet_posts(&self, [cx, cy]: [Vec4; 2], radius: Vec4) -> u32 {
+        let ([ox, oy, _], [dx, dy, _]) = (self.origin, self.direction);
+        let margin = Vec4::splat(self.margin);
+        let (x, y, r) = (cx - ox, cy - oy, radius + margin);
+        let (b, s) = (x * dx + y * dy, ((x * dy - y * dx).abs() - margin).max(Vec4::ZERO));
+        let is_along = (b + r).cmpgt(Vec4::ZERO) & (b - r).cmplt(self.t_max);
+        (is_along & !(s * s).cmpgt(r * r * (dx * dx + dy * dy))).bitmask()
+    }
+
+    /// Of the triangles in `mask`, those that a ray may meet: of four, or of one that `pick` takes of each four numbers.
+    ///
+    /// In `f32` those are left out that it leads away from, by the first test of [`Triangle`](crate::shape::Triangle) and its arithmetic;
+    /// but for a ray from too far away, whose numbers are not its own. Then those are left out whose plane it meets beyond an
+    /// edge, by the part `cosine` of how far. A triangle's own test lets by as much as 168 EPSILON of `far`, or 4 LSB and 2^-25
+    /// of its distance, and these sums err by less than 60 EPSILON of `far`: four margins are more.
+    #[inline(always)]
+    pub(super) fn meet_sheets<S: Scalar>(
+        &self,
+        sheets: &Sheets,
+        pick: impl Fn(&Vec4) -> Vec4,
+        mask: u32,
+    ) -> u32 {
+        let three = |vector: &[Vec4; 3]| vector.each_ref().map(&pick);
+        let ([ox, oy, oz], [dx, dy, dz]) = (self.origin, self.direction);
+        let ([x, y, z], [nx, ny, nz]) = (three(&sheets.corner), three(&sheets.normal));
+        let (x, y, z) = (x - ox, y - oy, z - oz);
+        let height = x * nx + y * ny + z * nz;
+        let cosine = nx * dx + ny * dy + nz * dz;
+        let (zero, mut mask) = (Vec4::ZERO, mask);
+        let is_upwards = cosine.cmpgt(zero);
+        if S::IN_LANES && self.margin < f32::INFINITY {
+            let behind = (is_upwards & height.cmple(zero)) | (cosine.cmple(zero) & height.cmpge(zero));
+            mask &= !behind.bitmask();
+        }
+        if mask == 0 {
+            return 0;
+        }
+        let least = Vec4::splat(-4.0 * self.margin);
+        let [first, second, third] = sheets.inward.each_ref().map(|inward| {
+            let [ix, iy, iz] = three(inward);
+            height * (ix * dx + iy * dy + iz * dz) - cosine * (x * ix + y * iy + z * iz)
+        });
+        let first = first + pick(&sheets.height) * cosine;
+        // Upwards none of them is below 0, downwards none above.
+        let is_upwards = is_upwards & (first.cmplt(least) | second.cmplt(least) | third.cmplt(least));
+        let is_downwards =
+            cosine.cmplt(zero) & (first.cmpgt(-least) | second.cmpgt(-least) | third.cmpgt(-least));
+        mask & !(is_upwards | is_downwards).bitmask()
+    }
+
+    /// A bit for each cylinder that a ray meets if it is endless too. The nearest of the two lines is `|s| / |n|`, with `n`
+    /// normal to both; `s` errs by less than the margin, as a foot point does. What is no number, as where the margin is
+    /// infinite, is met.
+    #[inline(always)]
+    pub(super) fn meet_rods(&self, [cx, cy, cz]: [Vec4; 3], rods: &Rods) -> u32 {
+        let ([ox, oy, oz], [dx, dy, dz]) = (self.origin, self.direction);
+        let ([ax, ay, az], margin) = (rods.axis, Vec4::splat(self.margin));
+        let (nx, ny, nz) = (dy * az - dz * ay, dz * ax - dx * az, dx * ay - dy * ax);
+        let s = (cx - ox) * nx + (cy - oy) * ny + (cz - oz) * nz;
+        let (s, r) = ((s.abs() - margin).max(Vec4::ZERO), rods.radius + margin);
+        (!(s * s).cmpgt(r * r * (nx * nx + ny * ny + nz * nz))).bitmask()
+    }
+}
+
+/// What a ray may meet of a pack.
+pub(crate) struct Met {
+    pub(super) mask: u32,
+    /// Distance of the foot point of each centre.
+    pub(super) along: Vec4,
+    /// The square of how far the foot point is from the centre.
+    pub(super) across: Vec4,
+}
+
+impl Met {
+    /// A bit for each.
+    #[inline(always)]
+    pub(crate) fn mask(&self) -> u32 {
+        self.mask
+    }
+
+    /// The numbers of the items, 0 to 3.
+    #[inline(always)]
+    pub(crate) fn items(&self) -> Bits {
+        Bits(self.mask)
+    }
+}
