@@ -199,10 +199,13 @@ fn face(axis: usize, grid: &Grid, base: u32) -> Face {
 struct Lists {
     /// How many packs a cell has, and the last of them.
     cells: Vec<(u32, u32)>,
-    /// Cells and what they have, near ones first.
-    found: Vec<(u32, Entry)>,
+    /// Cells and what they have, near ones first, in pieces: one long list would be half empty, and copied as it grows.
+    found: Vec<Vec<(u32, Entry)>>,
     full: usize,
 }
+
+/// Entries of a piece.
+const PIECE: usize = 4096;
 
 impl Lists {
     fn new(cells: u32) -> Self {
@@ -221,13 +224,18 @@ impl Lists {
         let pack = if *count == MOST { Entry::REST } else { pack };
         (*count, *last) = (*count + 1, pack);
         self.full += usize::from(*count > MOST);
-        self.found.push((cell, Entry::new(near, pack)));
+        if self.found.last().is_none_or(|piece| piece.len() == PIECE) {
+            self.found.push(Vec::with_capacity(PIECE));
+        }
+        if let Some(piece) = self.found.last_mut() {
+            piece.push((cell, Entry::new(near, pack)));
+        }
     }
 
     fn append(mut self, built: &mut Built) {
         let mut next = built.entries.len();
         built.cells.reserve_exact(self.cells.len() + 1);
-        built.entries.reserve_exact(self.found.len());
+        built.entries.reserve_exact(self.found.iter().map(Vec::len).sum());
         for (count, _) in &mut self.cells {
             let end = next + *count as usize;
             built.cells.push(as_number(next));
@@ -235,7 +243,7 @@ impl Lists {
             next = end;
         }
         built.entries.resize(next, Entry::new(0.0, Entry::REST));
-        for (cell, entry) in self.found {
+        for (cell, entry) in self.found.into_iter().flatten() {
             if let Some((place, _)) = self.cells.get_mut(cell as usize)
                 && let Some(slot) = built.entries.get_mut(*place as usize)
             {

@@ -97,6 +97,7 @@ pub(super) fn build<S: Narrow>(scene: &Description) -> Built {
     }
     drop(tree);
     let Maker { mut built, runs, .. } = maker;
+    built.nodes.shrink_to_fit();
     cube::build::<S>(scene, &solids, &runs, &mut built);
     built
 }
