@@ -123,37 +123,49 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize> Pixels<'a,
         }
     }
 
-    /// All that are left, where there are lanes four by four. Tracer and camera are its own, but arguments, of which it is known that nothing changes them: what all rays
-    /// need of them is made ready once.
-    fn all<B>(
-        mut self,
+    /// All that are left of the row. Tracer and camera are its own, but arguments, of which it is known that nothing changes them:
+    /// what all rays need of them is made ready once.
+    #[cfg_attr(not(target_os = "none"), inline(never))]
+    fn each<B>(
+        &mut self,
         tracer: &Tracer<'_, S, M, N, STACK>,
         camera: &Camera<S>,
         init: B,
-        mut f: impl FnMut(B, Rgb<S::Light>) -> B,
+        f: &mut impl FnMut(B, Rgb<S::Light>) -> B,
     ) -> B {
-        let mut folded = init;
-        if LANES {
-            let mut pending = core::array::from_fn(|_| Stack::new());
-            while self.y < self.end {
-                let count = (self.raster.width - self.x).min(4);
-                // Where there are less, the last one again.
-                let directions = [0, 1, 2, 3].map(|k: u32| {
-                    let x = Raster::center(self.x + k.min(count - 1), self.raster.width);
-                    camera.direction(x, -self.height)
-                });
-                let (eye, known) = (camera.eye, &mut self.known);
-                let lights = tracer.follow_four(eye, directions, count, &mut pending, known);
-                for (light, _) in lights.into_iter().zip(0..count) {
-                    folded = f(folded, light);
-                }
-                self.go_on(count);
-            }
-            return folded;
-        }
+        let (mut folded, y) = (init, self.y);
         let trace = |direction, known: &mut _| tracer.follow(camera.eye, direction, known);
-        while let Some(light) = self.step(camera, trace) {
+        while self.y == y
+            && let Some(light) = self.step(camera, trace)
+        {
             folded = f(folded, light);
+        }
+        folded
+    }
+
+    /// The same, four pixels at once.
+    #[inline(never)] // so that neither is in the other's way
+    fn four_by_four<B>(
+        &mut self,
+        tracer: &Tracer<'_, S, M, N, STACK>,
+        camera: &Camera<S>,
+        init: B,
+        f: &mut impl FnMut(B, Rgb<S::Light>) -> B,
+    ) -> B {
+        let (mut folded, y) = (init, self.y);
+        let mut pending = core::array::from_fn(|_| Stack::new());
+        while self.y == y {
+            let count = (self.raster.width - self.x).min(4);
+            // Where there are less, the last one again.
+            let directions = [0, 1, 2, 3].map(|k: u32| {
+                let x = Raster::center(self.x + k.min(count - 1), self.raster.width);
+                camera.direction(x, -self.height)
+            });
+            let lights = tracer.follow_four(camera.eye, directions, count, &mut pending, &mut self.known);
+            for (light, _) in lights.into_iter().zip(0..count) {
+                folded = f(folded, light);
+            }
+            self.go_on(count);
         }
         folded
     }
@@ -174,9 +186,17 @@ impl<S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize> Iterator for P
         usize::try_from(left).map_or((usize::MAX, None), |left| (left, Some(left)))
     }
 
-    fn fold<B, F: FnMut(B, Self::Item) -> B>(self, init: B, f: F) -> B {
+    fn fold<B, F: FnMut(B, Self::Item) -> B>(mut self, init: B, mut f: F) -> B {
         let (tracer, camera) = (self.tracer, self.camera);
-        self.all(tracer, camera, init, f)
+        let mut folded = init;
+        while self.y < self.end {
+            folded = if LANES && self.known.go_together() {
+                self.four_by_four(tracer, camera, folded, &mut f)
+            } else {
+                self.each(tracer, camera, folded, &mut f)
+            };
+        }
+        folded
     }
 }
 

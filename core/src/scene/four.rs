@@ -192,6 +192,7 @@ impl<S: Scalar> Scene<'_, S> {
         let mut open = there;
         let Some(lately) = known.of(lamp) else { return open };
         if !lately.go_together() {
+            known.tell(false);
             return open;
         }
         let last = &mut lately.occluder;
@@ -285,7 +286,8 @@ impl<S: Scalar> Scene<'_, S> {
                 }
             }
         }
-        lately.have_asked(asked);
+        let was_good = lately.have_asked(asked);
+        known.tell(was_good);
         left &= open;
         for r in Bits(open & !left) {
             if let (Some(part), Some(ray), Some(t_max), Some(shade)) =

@@ -5,7 +5,13 @@ use crate::lanes::LANES;
 
 /// What is known from the rays before; nothing where there are no lanes.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Known([Lately; KNOWN]);
+pub(crate) struct Known {
+    of: [Lately; KNOWN],
+    /// Of all rays of a row, by how its shadow rays went: so many searches were better done together, and so many not.
+    row: Alone,
+    good: u32,
+    bad: u32,
+}
 
 /// What is known of the rays to a lamp, or of those from the eye.
 #[derive(Clone, Copy, Debug)]
@@ -13,51 +19,91 @@ pub(super) struct Lately {
     /// The object that hid the lamp from the last point that it was hidden from: it is the first to be asked the next time (the
     /// shadow cache, after E. Haines and D. Greenberg, "The Light Buffer", IEEE CG&A 6, 1986).
     pub(super) occluder: Item,
-    /// Rays go one by one so many times; and the last time it was so many.
-    alone: u8,
-    before: u8,
+    alone: Alone,
+}
+
+/// How many times four go alone, and how many it was the last time: twice as many the next.
+#[derive(Clone, Copy, Debug)]
+struct Alone {
+    left: u8,
+    last: u8,
 }
 
 /// More lamps share them; the last is the eye's.
 const KNOWN: usize = if LANES { 9 } else { 0 };
+/// With more items on their way four rays are quicker one by one.
+const CROWD: u32 = 8;
+
+impl Alone {
+    const NEVER: Self = Self { left: 0, last: 7 };
+
+    /// Whether four go together.
+    #[inline(always)]
+    fn is_over(&mut self) -> bool {
+        let left = self.left;
+        self.left = left.saturating_sub(1);
+        left == 0
+    }
+
+    /// Told whether that was good.
+    #[inline(always)]
+    fn learn(&mut self, was_good: bool) {
+        *self = if was_good {
+            Self::NEVER
+        } else {
+            let last = self.last << 1 | 1;
+            Self { left: last, last }
+        };
+    }
+}
 
 impl Known {
     /// Nothing yet.
     pub(crate) const fn new() -> Self {
-        Self([Lately { occluder: Item::NONE, alone: 0, before: 7 }; KNOWN])
+        let nothing = Lately { occluder: Item::NONE, alone: Alone::NEVER };
+        Self { of: [nothing; KNOWN], row: Alone::NEVER, good: 0, bad: 0 }
     }
 
-    /// Of a lamp.
-    pub(super) fn of(&mut self, lamp: usize) -> Option<&mut Lately> {
-        self.0.get_mut(lamp % 8)
+    /// Whether four rays of the next row go beside each other.
+    #[inline(always)]
+    pub(crate) fn go_together(&mut self) -> bool {
+        if self.good | self.bad != 0 {
+            self.row.learn(self.bad <= self.good);
+            (self.good, self.bad) = (0, 0);
+        }
+        self.row.is_over()
     }
 
-    /// Of the eye.
+    /// What is known of the rays from the eye.
     pub(super) fn of_eye(&mut self) -> Option<&mut Lately> {
-        self.0.get_mut(8)
+        self.of.get_mut(8)
+    }
+
+    /// What is known of the rays to a lamp.
+    pub(super) fn of(&mut self, lamp: usize) -> Option<&mut Lately> {
+        self.of.get_mut(lamp % 8)
+    }
+
+    /// Told whether it was good to search for four rays to a lamp together; or that they were not.
+    #[inline(always)]
+    pub(super) fn tell(&mut self, was_good: bool) {
+        let count = if was_good { &mut self.good } else { &mut self.bad };
+        *count += 1;
     }
 }
 
 impl Lately {
-    /// Whether four rays go beside each other.
+    /// Whether four rays are searched for together.
     #[inline(always)]
     pub(super) fn go_together(&mut self) -> bool {
-        let alone = self.alone;
-        self.alone = alone.saturating_sub(1);
-        alone == 0
+        self.alone.is_over()
     }
 
-    /// Told how many items four rays have asked together.
+    /// Told how many items they have asked: whether it was good.
     #[inline(always)]
-    pub(super) fn have_asked(&mut self, items: u32) {
-        if items > CROWD {
-            self.before = self.before << 1 | 1;
-            self.alone = self.before;
-        } else {
-            self.before = 7;
-        }
+    pub(super) fn have_asked(&mut self, items: u32) -> bool {
+        let was_good = items <= CROWD;
+        self.alone.learn(was_good);
+        was_good
     }
 }
-
-/// With more items on their way four rays are quicker one by one.
-const CROWD: u32 = 8;
