@@ -55,6 +55,8 @@ impl Raster {
 }
 
 /// The light of the pixels of some rows, from left to right and from top to bottom.
+///
+/// A loop over all of them (`for_each`, `fold`) is quicker than one step after the other, and brings the same light.
 pub struct Pixels<'a, S: Scalar, M, N, const STACK: usize> {
     tracer: &'a Tracer<'a, S, M, N, STACK>,
     camera: &'a Camera<S>,
