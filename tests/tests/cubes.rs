@@ -106,11 +106,11 @@ enum Rays {
 fn picture<S: Narrow>(scene: &Narrowed<S>, rays: Rays) -> Vec<Rgb<S::Light>> {
     let admitted = scene.scene().admit(&scene.camera).expect("it fits");
     let tracer: Tracer<S, _, Everything, 3> = Tracer::new(admitted, Phong::default(), 3).expect("a depth");
-    let mut pixels = Pixels::new(&tracer, &scene.camera, Raster::new(SIDE, SIDE).expect("a raster"));
+    let pixels = Pixels::new(&tracer, &scene.camera, Raster::new(SIDE, SIDE).expect("a raster"));
     let mut picture = Vec::new();
     match rays {
         Rays::Single => {
-            while let Some(light) = pixels.next() {
+            for light in pixels {
                 picture.push(light);
             }
         }
