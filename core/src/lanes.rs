@@ -8,7 +8,8 @@
 //! A node holds the boxes of its four children side by side (I. Wald, C. Benthin and S. Boulos, "Getting Rid of Packets",
 //! IEEE Symposium on Interactive Ray Tracing, 2008). The search goes on in the nearest box that the ray enters and keeps
 //! the others on a stack of fixed size. Rays that start at the eye or end at a lamp, which most do, have [`Cube`]s instead
-//! that tell what lies in their direction, and are searched for four by four. Firmware goes by [`bvh`](crate::bvh) or [`hierarchy`](crate::hierarchy) instead.
+//! that tell what lies in their direction; those of four neighbouring pixels are searched for together. Firmware goes by
+//! [`bvh`](crate::bvh) or [`hierarchy`](crate::hierarchy) instead.
 #![allow(clippy::float_arithmetic)] // machines without lanes have none of it
 
 mod cube;

@@ -162,7 +162,6 @@ fn one_of(faces: Option<&[Face; 2]>, along: Vec4) -> Option<&Face> {
 }
 
 /// What a ray may meet that goes by the point of a cube, near things first.
-#[derive(Clone, Copy)]
 pub(crate) struct Seen<'a> {
     pub(crate) entries: &'a [Entry],
     nearest: f32,
@@ -209,20 +208,21 @@ impl<'a> Lanes<'a> {
 
     #[inline(always)]
     fn seen(&self, cube: &Cube, direction: Vec4) -> Seen<'a> {
-        let run = cube.cell(direction).and_then(|cell| {
-            let (first, end) = (*self.cells.get(cell)?, *self.cells.get(cell + 1)?);
-            self.entries.get(index(first)..index(end))
-        });
+        let run = cube.cell(direction).and_then(|cell| self.run(cell));
         Seen { entries: run.unwrap_or_default(), nearest: cube.nearest }
     }
 
-    /// What a cell has, by its number, of the eye's cube or of that of a lamp.
+    /// What a cell of a cube has, both by their numbers; the eye's cube is the first.
     #[inline(always)]
     pub(crate) fn in_cell(&self, cube: usize, cell: usize) -> Seen<'a> {
-        let run = self.cells.get(cell).zip(self.cells.get(cell + 1));
-        let run = run.and_then(|(&first, &end)| self.entries.get(index(first)..index(end)));
         let nearest = self.cubes.get(cube).map_or(0.0, |cube| cube.nearest);
-        Seen { entries: run.unwrap_or_default(), nearest }
+        Seen { entries: self.run(cell).unwrap_or_default(), nearest }
+    }
+
+    #[inline(always)]
+    fn run(&self, cell: usize) -> Option<&'a [Entry]> {
+        let (first, end) = (*self.cells.get(cell)?, *self.cells.get(cell + 1)?);
+        self.entries.get(index(first)..index(end))
     }
 
     /// Whether all that the cubes name is there.

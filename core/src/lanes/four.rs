@@ -80,7 +80,7 @@ impl<'a> Four<'a> {
         Some(Self { lanes, rays, middle, thick })
     }
 
-    /// The cells of a cube that the rays look through, for those that start at the eye; false if one does not.
+    /// The cells of a cube that the rays look through, if all start at the eye; else nothing.
     #[inline(always)]
     pub(crate) fn eye_cells(&self) -> Option<[usize; 4]> {
         let cube = self.lanes.cubes.first()?;
@@ -91,7 +91,7 @@ impl<'a> Four<'a> {
         if there { Some(cube.cells(self.rays.direction)) } else { None }
     }
 
-    /// The same for those that end at a lamp, by its number; and how far away the farthest of them starts.
+    /// The same if all end at a lamp, by its number; and how far away the farthest of them starts.
     #[inline(always)]
     pub(crate) fn lamp_cells(&self, lamp: usize) -> Option<([usize; 4], f32)> {
         let cube = self.lanes.cubes.get(lamp + 1)?;

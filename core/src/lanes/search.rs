@@ -17,7 +17,6 @@ const STACK: usize = 3 * MAX_DEPTH + 1;
 const LEAST: f32 = 1e-12;
 
 /// A ray in `f32`.
-#[derive(Clone, Copy)]
 pub(crate) struct CoarseRay {
     pub(super) origin: Vec4,
     pub(super) direction: Vec4,
@@ -27,7 +26,7 @@ pub(crate) struct CoarseRay {
 impl CoarseRay {
     /// Of a ray from so far away that its test could overflow, one that meets everything.
     #[inline(always)]
-    pub(super) fn new<S: Scalar>(ray: &Ray<S>, size: f32) -> Self {
+    fn new<S: Scalar>(ray: &Ray<S>, size: f32) -> Self {
         let (o, d) = (ray.origin, ray.direction);
         let origin = Vec4::new(o.x().coarse(), o.y().coarse(), o.z().coarse(), size);
         let direction = Vec4::new(d.x().coarse(), d.y().coarse(), d.z().coarse(), 0.0);
@@ -42,7 +41,7 @@ impl CoarseRay {
 
 /// Each coordinate four times.
 #[inline(always)]
-pub(super) fn splat(v: Vec4) -> [Vec4; 3] {
+fn splat(v: Vec4) -> [Vec4; 3] {
     [Vec4::splat(v.x), Vec4::splat(v.y), Vec4::splat(v.z)]
 }
 

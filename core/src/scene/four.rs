@@ -10,8 +10,8 @@ use crate::ray::Ray;
 use crate::scalar::{Scalar, Unit};
 
 impl<S: Scalar> Scene<'_, S> {
-    /// The nearest hits of four rays: of those in `there`, of which the others are copies. `are_eyes` is whether all start at the
-    /// eye.
+    /// The nearest hits of four rays, of those in `there`. `are_eyes` is whether they have just left the eye: then the others are
+    /// copies, later they are rays of pixels that are done.
     #[inline(always)]
     pub(crate) fn find_four<N: Needs>(
         &self,
@@ -103,7 +103,7 @@ impl<S: Scalar> Scene<'_, S> {
         left
     }
 
-    /// The nearest hits with a pack of the rays in `group`.
+    /// The nearest hits with a pack of the rays in `group`, and how many items were asked.
     #[inline(always)]
     fn nearest_of_four<N: Needs>(
         &self,
@@ -151,7 +151,7 @@ impl<S: Scalar> Scene<'_, S> {
         }
     }
 
-    /// What part of a lamp's light comes through along each of four shadow rays on, of those in
+    /// What part of a lamp's light comes through along each of four shadow rays with their lengths, of those in
     /// `there`; see [`Scene::transmittance`](Scene::transmittance).
     #[inline(never)]
     pub(crate) fn transmittance_four<N: Needs>(
