@@ -85,7 +85,7 @@ pub trait Illumination<S: Scalar>: Send + Sync {
     fn secondary<N: Needs>(&self, surface: &Surface<S>) -> Secondary<Self::Weight>;
 
     /// Told of each ray before it is traced: for counting them. Does nothing unless a model wants it. Rays come pixel by pixel,
-    /// but from a loop over all of [`Pixels`](crate::raster::Pixels), as `for_each` is, those of four pixels among each other.
+    /// but in `f32` from a loop over all of [`Pixels`](crate::raster::Pixels), as `for_each` is, those of four pixels among each other.
     #[inline]
     fn note(&self, _kind: RayKind) {}
 

@@ -8,22 +8,32 @@
 //! A node holds the boxes of its four children side by side (I. Wald, C. Benthin and S. Boulos, "Getting Rid of Packets",
 //! IEEE Symposium on Interactive Ray Tracing, 2008). The search goes on in the nearest box that the ray enters and keeps
 //! the others on a stack of fixed size. Rays that start at the eye or end at a lamp, which most do, have [`Cube`]s instead
-//! that tell what lies in their direction; those of four neighbouring pixels are searched for together. Firmware goes by
-//! [`bvh`](crate::bvh) or [`hierarchy`](crate::hierarchy) instead.
+//! that tell what lies in their direction. Firmware goes by [`bvh`](crate::bvh) or [`hierarchy`](crate::hierarchy) instead.
+//!
+//! A picture in `f32` has the lanes' own numbers. There the rays of four neighbouring pixels go side by side, and not only are
+//! searched for together: where they meet something, how they leave it and where the lamps are from there is computed four at once,
+//! by the same operations in the same order as one at a time.
 #![allow(clippy::float_arithmetic)] // machines without lanes have none of it
 
 mod cube;
 mod four;
+pub(crate) mod geometry;
 mod rays;
 mod search;
+#[cfg(test)]
+#[allow(clippy::indexing_slicing, clippy::float_cmp, reason = "a test may panic, and is exact")]
+mod tests;
+mod triangle;
+pub(crate) mod vectors;
 
 use glam::Vec4;
 
-use crate::bvh::{Child, Item, first_wrong, index};
+use crate::bvh::{Bits, Child, Item, first_wrong, index};
 pub use cube::{Cube, Entry, Face};
 pub(crate) use four::Four;
 pub(crate) use rays::Met;
 pub(crate) use search::{CoarseRay, Probe, Search, Waiting};
+use vectors::{Vec3x4, pick};
 
 /// Whether the machine that this is compiled for has lanes.
 pub const LANES: bool =
@@ -80,6 +90,18 @@ pub struct Pack {
 }
 
 impl Pack {
+    /// Centre and radius of a bounding sphere, four times.
+    #[inline(always)]
+    pub(crate) fn sphere(&self, slot: usize) -> (Vec3x4, Vec4) {
+        (Vec3x4(self.center.map(|four| pick(four, slot))), pick(self.radius, slot))
+    }
+
+    /// All items that are there.
+    #[inline(always)]
+    pub(crate) fn slots(&self) -> Bits {
+        Bits(self.radius.cmpge(Vec4::ZERO).bitmask())
+    }
+
     /// No cones.
     pub const NO_RODS: u32 = u32::MAX;
     /// No triangles.

@@ -7,10 +7,10 @@ use crate::camera::Camera;
 use crate::color::Rgb;
 use crate::error::Error;
 use crate::illumination::Illumination;
-use crate::lanes::LANES;
+use crate::lanes::geometry::through_plane;
 use crate::needs::Needs;
 use crate::scalar::{Scalar, Unit};
-use crate::scene::Known;
+use crate::scene::{Known, Spots};
 use crate::trace::{Stack, Tracer};
 use crate::vector::UnitVec3;
 
@@ -125,8 +125,14 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize> Pixels<'a,
         }
     }
 
-    /// All that are left of the row. Tracer and camera are its own, but arguments, of which it is known that nothing changes them:
-    /// what all rays need of them is made ready once.
+    /// All that are left, one after the other.
+    pub(crate) fn one_by_one<B>(mut self, init: B, mut f: impl FnMut(B, Rgb<S::Light>) -> B) -> B {
+        let (tracer, camera) = (self.tracer, self.camera);
+        self.each(tracer, camera, init, &mut f)
+    }
+
+    /// The same. Tracer and camera are its own, but arguments, of which it is known that nothing changes them: what all rays need
+    /// of them is made ready once.
     #[cfg_attr(not(target_os = "none"), inline(never))]
     fn each<B>(
         &mut self,
@@ -135,35 +141,42 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize> Pixels<'a,
         init: B,
         f: &mut impl FnMut(B, Rgb<S::Light>) -> B,
     ) -> B {
-        let (mut folded, y) = (init, self.y);
+        let mut folded = init;
         let trace = |direction, known: &mut _| tracer.follow(camera.eye, direction, known);
-        while self.y == y
-            && let Some(light) = self.step(camera, trace)
-        {
+        while let Some(light) = self.step(camera, trace) {
             folded = f(folded, light);
         }
         folded
     }
+}
 
-    /// The same, four pixels at once.
-    #[inline(never)] // so that neither is in the other's way
+impl<M: Illumination<f32>, N: Needs, const STACK: usize> Pixels<'_, f32, M, N, STACK> {
+    /// All that are left, four at once.
+    pub(crate) fn by_fours<B>(mut self, init: B, mut f: impl FnMut(B, Rgb<f32>) -> B) -> B {
+        let (tracer, camera) = (self.tracer, self.camera);
+        self.four_by_four(tracer, camera, init, &mut f)
+    }
+
+    /// The same. See [`Pixels::each`].
+    #[inline(never)]
     fn four_by_four<B>(
         &mut self,
-        tracer: &Tracer<'_, S, M, N, STACK>,
-        camera: &Camera<S>,
+        tracer: &Tracer<'_, f32, M, N, STACK>,
+        camera: &Camera<f32>,
         init: B,
-        f: &mut impl FnMut(B, Rgb<S::Light>) -> B,
+        f: &mut impl FnMut(B, Rgb<f32>) -> B,
     ) -> B {
-        let (mut folded, y) = (init, self.y);
-        let mut pending = core::array::from_fn(|_| Stack::new());
-        while self.y == y {
+        let mut folded = init;
+        let (mut pending, mut spots) = (core::array::from_fn(|_| Stack::new()), Spots::NONE);
+        while self.y < self.end {
             let count = (self.raster.width - self.x).min(4);
             // Where there are less, the last one again.
-            let directions = [0, 1, 2, 3].map(|k: u32| {
-                let x = Raster::center(self.x + k.min(count - 1), self.raster.width);
-                camera.direction(x, -self.height)
-            });
-            let lights = tracer.follow_four(camera.eye, directions, count, &mut pending, &mut self.known);
+            let [a, b, c, d] =
+                [0, 1, 2, 3].map(|k: u32| Raster::center(self.x + k.min(count - 1), self.raster.width));
+            let x = glam::Vec4::new(a, b, c, d);
+            let directions = through_plane(camera.forward, camera.right, camera.up, x, -self.height);
+            let lights =
+                tracer.follow_four(camera.eye, directions, count, &mut pending, &mut spots, &mut self.known);
             for (light, _) in lights.into_iter().zip(0..count) {
                 folded = f(folded, light);
             }
@@ -188,17 +201,8 @@ impl<S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize> Iterator for P
         usize::try_from(left).map_or((usize::MAX, None), |left| (left, Some(left)))
     }
 
-    fn fold<B, F: FnMut(B, Self::Item) -> B>(mut self, init: B, mut f: F) -> B {
-        let (tracer, camera) = (self.tracer, self.camera);
-        let mut folded = init;
-        while self.y < self.end {
-            folded = if LANES && self.known.go_together() {
-                self.four_by_four(tracer, camera, folded, &mut f)
-            } else {
-                self.each(tracer, camera, folded, &mut f)
-            };
-        }
-        folded
+    fn fold<B, F: FnMut(B, Self::Item) -> B>(self, init: B, f: F) -> B {
+        S::fold_pixels(self, init, f)
     }
 }
 

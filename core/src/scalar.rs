@@ -18,7 +18,11 @@
 use core::fmt::Debug;
 use core::ops::{Add, Neg, Sub};
 
+use crate::color::Rgb;
+use crate::illumination::Illumination;
+use crate::needs::Needs;
 use crate::range::Magnitude;
+use crate::raster::Pixels;
 use crate::vector::{LengthVector, UnitVector};
 
 mod fixed;
@@ -114,6 +118,16 @@ pub trait Scalar:
     #[inline]
     fn of_lane(_along: f32, _across: f32, _radius: f32, _t_max: Self) -> Option<Option<Self>> {
         None
+    }
+
+    /// [`Iterator::fold`] of pixels: one after the other; in `f32`, where the machine has [`lanes`](crate::lanes), four at once.
+    #[inline]
+    fn fold_pixels<M: Illumination<Self>, N: Needs, const STACK: usize, B>(
+        pixels: Pixels<Self, M, N, STACK>,
+        init: B,
+        f: impl FnMut(B, Rgb<Self::Light>) -> B,
+    ) -> B {
+        pixels.one_by_one(init, f)
     }
 
     /// The next larger length of one that is 0 or more and finite; the same where there is none.

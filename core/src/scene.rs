@@ -6,6 +6,7 @@ mod nearest;
 mod object;
 mod shadow;
 
+pub(crate) use four::Spots;
 pub(crate) use known::Known;
 pub use object::{Hit, Object};
 
@@ -110,12 +111,7 @@ impl<S: Scalar> Scene<'_, S> {
     /// What is seen along a ray: the surface of what it hits, or the radiance of a lamp or of the sky.
     #[cfg_attr(not(target_os = "none"), inline(always))]
     pub(crate) fn look<N: Needs>(&self, ray: &Ray<S>, limits: &Limits<S>) -> Seen<'_, S> {
-        self.see::<N>(ray, self.find::<N>(ray, limits.lid), limits)
-    }
-
-    /// What is seen where a ray meets something, if it does.
-    #[cfg_attr(not(target_os = "none"), inline(always))]
-    pub(crate) fn see<N: Needs>(&self, ray: &Ray<S>, hit: Option<Hit<S>>, limits: &Limits<S>) -> Seen<'_, S> {
+        let hit = self.find::<N>(ray, limits.lid);
         if N::VISIBLE_LAMPS
             && let Some(Hit { object: Object::Lamp(i), .. }) = hit
             && let Some(lamp) = self.lamps.get(i)

@@ -139,28 +139,22 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize> Tracer<'a,
             let lamps = if N::SEVERAL_LAMPS { self.scene.lamps.len() } else { 1 };
             for (number, lamp) in self.scene.lamps.iter().take(lamps).enumerate() {
                 if let Some(incident) = Incident::new(lamp, surface.point, surface.normal) {
-                    light = light.plus(self.direct(&surface, &incident, extent, |light, ray, t_max| {
-                        let lid = self.scene.limits().lid;
-                        self.dimmed(
-                            light,
-                            self.scene.transmittance_after::<N>(ray, t_max, lid, number, known),
-                        )
-                    }));
+                    light = light.plus(self.direct(&surface, &incident, extent, number, known));
                 }
             }
         }
         (light, Some((surface, extent)))
     }
 
-    /// What the surface sends back of one lamp if nothing hides it, as `shadow` has made it of that light, the ray that looks
-    /// for what does, and its length.
+    /// What the surface sends back of one lamp, as far as nothing hides it.
     #[cfg_attr(not(target_os = "none"), inline(always))] // see `follow`
     fn direct(
         &self,
         surface: &Surface<S>,
         incident: &Incident<S>,
         extent: S,
-        shadow: impl FnOnce(Rgb<S::Light>, &Ray<S>, S) -> Rgb<S::Light>,
+        number: usize,
+        known: &mut Known,
     ) -> Rgb<S::Light> {
         let behind = incident.cosine <= S::Unit::ZERO;
         if behind && !M::BOTH_SIDES {
@@ -174,12 +168,8 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize> Tracer<'a,
         let (origin, used) = surface.point.leave(side, incident.direction, extent);
         self.model.note(RayKind::Shadow);
         let ray = self.scene.ray::<N>(origin, incident.direction);
-        shadow(light, &ray, incident.distance - used)
-    }
-
-    /// The part of a lamp's light that comes through.
-    #[inline(always)]
-    fn dimmed(&self, light: Rgb<S::Light>, part: S::Unit) -> Rgb<S::Light> {
+        let (t_max, lid) = (incident.distance - used, self.scene.limits().lid);
+        let part = self.scene.transmittance_after::<N>(&ray, t_max, lid, number, known);
         self.model.note_shadow(part);
         if part == S::Unit::ONE { light } else { light.map(|register| register.times(part)) }
     }

@@ -146,6 +146,10 @@ impl Reader<'_> {
             Lamp { position, color, radius: 0.0, line }
         };
         scene.lamps = lights.into_iter().map(lamp).collect();
+        // Lists of unknown length have grown to up to twice of it.
+        scene.spheres.shrink_to_fit();
+        scene.cones.shrink_to_fit();
+        scene.triangles.shrink_to_fit();
         Ok(Description { camera, raster: Some(raster), model: Model::Phong, ..scene })
     }
 

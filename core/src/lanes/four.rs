@@ -7,12 +7,12 @@
 
 use glam::Vec4;
 
-use super::rays::{Met, Rays};
+use super::geometry::Ray4;
+use super::rays::Rays;
+use super::vectors::{Vec3x4, pick};
 use super::{LARGEST, Lanes, Pack, Posts, Rods};
-use crate::bvh::{Bits, Item, index};
-use crate::ray::Ray;
-use crate::scalar::{Scalar, Unit};
-use crate::vector::Vector;
+use crate::bvh::{Bits, index};
+use crate::scalar::Scalar;
 
 /// Directions of rays that differ by more do not lead beside each other.
 const LARGEST_TURN: f32 = 0.25;
@@ -23,61 +23,69 @@ const THICKEST: f32 = 0.0625;
 pub(crate) struct Four<'a> {
     lanes: &'a Lanes<'a>,
     rays: Rays,
-    /// One of them four times, as long as the longest; nothing where each item is tried.
-    middle: Option<Rays>,
-    /// Of a sphere that one of the rays meets, the middle one meets this part of its radius, and so much more, and so much
-    /// of how far away it is.
+}
+
+/// One of four rays, made so thick that the others are in it.
+pub(crate) struct Beam {
+    origin: [Vec4; 3],
+    direction: [Vec4; 3],
+    /// Of a sphere that one of the rays meets, this one meets this part of its radius, and so much more, and so much of how
+    /// far away it is.
     thick: [Vec4; 3],
 }
 
-impl<'a> Four<'a> {
-    /// Four rays, and how far each goes; nothing where they are not beside each other.
+impl Beam {
+    /// Which of a pack's items a ray may meet, if none is longer than `longest`.
     #[inline(always)]
-    pub(crate) fn new<S: Scalar>(lanes: &'a Lanes<'a>, rays: [&Ray<S>; 4], t_max: [S; 4]) -> Option<Self> {
-        let [a, b, c, d] = rays;
-        let four = |number: fn(&Ray<S>) -> f32| Vec4::new(number(a), number(b), number(c), number(d));
-        let origin = [
-            four(|r| r.origin.x().coarse()),
-            four(|r| r.origin.y().coarse()),
-            four(|r| r.origin.z().coarse()),
-        ];
-        let direction = [
-            four(|r| r.direction.x().coarse()),
-            four(|r| r.direction.y().coarse()),
-            four(|r| r.direction.z().coarse()),
-        ];
-        let [ox, oy, oz] = origin.map(Vec4::abs);
-        let far = ox.max(oy).max(oz).max(Vec4::splat(lanes.size)).max_element();
+    pub(crate) fn touch(&self, pack: &Pack, longest: f32) -> Bits {
+        let ([ox, oy, oz], [dx, dy, dz], [cx, cy, cz]) = (self.origin, self.direction, pack.center);
+        let (x, y, z) = (cx - ox, cy - oy, cz - oz);
+        let b = x * dx + y * dy + z * dz;
+        let (x, y, z) = (x - dx * b, y - dy * b, z - dz * b);
+        let across = x * x + y * y + z * z;
+        let [part, more, far] = self.thick;
+        let r = pack.radius * part + more + b.abs() * far;
+        let is_along = (b + r).cmpgt(Vec4::ZERO) & (b - r).cmplt(Vec4::splat(longest));
+        Bits((across.cmple(r * r) & is_along).bitmask())
+    }
+}
+
+impl<'a> Four<'a> {
+    /// Four rays, and how far each goes; nothing where one comes from too far away.
+    #[inline(always)]
+    pub(crate) fn new(lanes: &'a Lanes<'a>, rays: &Ray4, t_max: Vec4) -> Option<Self> {
+        let far = rays.origin.largest().max(Vec4::splat(lanes.size)).max_element();
         if far > LARGEST {
             return None;
         }
-        let margin = S::coarse_margin(far);
-        let t_max = Vec4::from_array(t_max.map(Scalar::coarse)) + Vec4::splat(margin);
-        let rays = Rays { origin, direction, margin, t_max };
-        let mut thick = [Vec4::ZERO; 3];
-        let mut middle = None;
-        if !lanes.nodes.is_empty() {
-            let first = |four: Vec4| Vec4::splat(four.x);
-            let longest = t_max.max_element();
-            let one = Rays {
-                origin: origin.map(first),
-                direction: direction.map(first),
-                margin,
-                t_max: Vec4::splat(longest),
-            };
-            let beside = apart(origin, one.origin);
-            let turn = apart(direction, one.direction);
-            if !(turn < LARGEST_TURN && beside < THICKEST * longest) {
-                return None;
-            }
-            // A sphere of the radius r that a ray meets is r + beside + turn x distance away from the middle one there, and
-            // the distance is not above that of the middle one's foot point, and as much.
-            let more = (1.0 - turn).recip();
-            let part = more * (1.0 + turn);
-            thick = [part, part * (beside + 2.0 * margin), more * turn].map(Vec4::splat);
-            middle = Some(one);
+        let (Vec3x4(origin), Vec3x4(direction)) = (rays.origin, rays.direction);
+        let margin = f32::coarse_margin(far);
+        let rays = Rays { origin, direction, margin, t_max: t_max + Vec4::splat(margin) };
+        Some(Self { lanes, rays })
+    }
+
+    /// All in one; nothing where they do not lead beside each other.
+    #[inline(always)]
+    pub(crate) fn beam(&self) -> Option<Beam> {
+        let first = |v: [Vec4; 3]| v.map(|four| Vec4::splat(four.x));
+        let (origin, direction) = (first(self.rays.origin), first(self.rays.direction));
+        let beside = apart(Vec3x4(self.rays.origin) - Vec3x4(origin));
+        let turn = apart(Vec3x4(self.rays.direction) - Vec3x4(direction));
+        if !(turn < LARGEST_TURN && beside < THICKEST * self.longest()) {
+            return None;
         }
-        Some(Self { lanes, rays, middle, thick })
+        // A sphere of the radius r that a ray meets is r + beside + turn x distance away from this one there, and the distance
+        // is not above that of this one's foot point, and as much.
+        let more = (1.0 - turn).recip();
+        let part = more * (1.0 + turn);
+        let thick = [part, part * (beside + 2.0 * self.rays.margin), more * turn].map(Vec4::splat);
+        Some(Beam { origin, direction, thick })
+    }
+
+    /// The end of the longest.
+    #[inline(always)]
+    pub(crate) fn longest(&self) -> f32 {
+        self.rays.t_max.max_element()
     }
 
     /// The cells of a cube that the rays look through, if all start at the eye; else nothing.
@@ -108,42 +116,18 @@ impl<'a> Four<'a> {
         if there { Some((cube.cells([-dx, -dy, -dz]), far.max_element())) } else { None }
     }
 
-    /// Which of a pack's items a ray may meet.
+    /// A bit for each ray that may meet item `k` of a pack, which is no triangle.
     #[inline(always)]
-    pub(crate) fn touch(&self, pack: &Pack) -> Bits {
-        let Some(middle) = &self.middle else { return Bits(15) };
-        let ([ox, oy, oz], [dx, dy, dz], [cx, cy, cz]) = (middle.origin, middle.direction, pack.center);
-        let (x, y, z) = (cx - ox, cy - oy, cz - oz);
-        let b = x * dx + y * dy + z * dz;
-        let (x, y, z) = (x - dx * b, y - dy * b, z - dz * b);
-        let across = x * x + y * y + z * z;
-        let [part, more, far] = self.thick;
-        let r = pack.radius * part + more + b.abs() * far;
-        let is_along = (b + r).cmpgt(Vec4::ZERO) & (b - r).cmplt(middle.t_max);
-        Bits((across.cmple(r * r) & is_along).bitmask())
-    }
-
-    /// Which rays may meet item `k` of a pack.
-    #[inline(always)]
-    pub(crate) fn meet<S: Scalar>(&self, pack: &Pack, k: usize) -> Met {
-        let center = pack.center.map(|four| pick(four, k));
-        let sheets = self.lanes.sheets.get(index(pack.sheets));
-        if let Some(sheets) = sheets
-            && let Some(Item::Triangle(_)) = pack.items.get(k)
-        {
-            let mask = self.rays.meet_sheets::<S>(sheets, |four| pick(*four, k), 15);
-            return Met { mask, along: Vec4::ZERO, across: Vec4::ZERO };
+    pub(crate) fn meet(&self, pack: &Pack, k: usize) -> u32 {
+        let (Vec3x4(center), radius) = pack.sphere(k);
+        let mask = self.rays.meet_spheres(center, radius).mask;
+        if mask == 0 || pack.rods == Pack::NO_RODS {
+            return mask;
         }
-        let mut met = self.rays.meet_spheres(center, pick(pack.radius, k));
-        if met.mask != 0 && pack.rods != Pack::NO_RODS {
-            let rods = self.lanes.rods.get(index(pack.rods));
-            let one = |rods: &Rods| Rods {
-                axis: rods.axis.map(|four| pick(four, k)),
-                radius: pick(rods.radius, k),
-            };
-            met.mask &= rods.map_or(met.mask, |rods| self.rays.meet_rods(center, &one(rods)));
-        }
-        met
+        let one =
+            |rods: &Rods| Rods { axis: rods.axis.map(|four| pick(four, k)), radius: pick(rods.radius, k) };
+        let rods = self.lanes.rods.get(index(pack.rods));
+        rods.map_or(mask, |rods| mask & self.rays.meet_rods(center, &one(rods)))
     }
 
     /// Which rays may meet cylinder `k` of four.
@@ -152,47 +136,16 @@ impl<'a> Four<'a> {
         Bits(self.rays.meet_posts(posts.center.map(|four| pick(four, k)), pick(posts.radius, k)))
     }
 
-    /// The distance of a hit of ray `r` nearer than `t_max`, if item `k` of a pack is a sphere; nothing where it has to be asked itself.
+    /// From now on for each ray only what is not farther than that is looked for.
     #[inline(always)]
-    pub(crate) fn sphere<S: Scalar>(
-        &self,
-        (pack, k): (&Pack, usize),
-        met: &Met,
-        r: usize,
-        t_max: S,
-    ) -> Option<Option<S>> {
-        let lane = |four: &Vec4, k: usize| four.as_ref().get(k).copied();
-        S::of_lane(lane(&met.along, r)?, lane(&met.across, r)?, lane(&pack.radius, k)?, t_max)
-    }
-
-    /// From now on for ray `r` only what is not farther than `t` is looked for.
-    #[inline(always)]
-    pub(crate) fn shorten<S: Scalar>(&mut self, r: usize, t: S) {
-        if let Some(t_max) = self.rays.t_max.as_mut().get_mut(r) {
-            *t_max = t.coarse() + self.rays.margin;
-        }
-        let longest = Vec4::splat(self.rays.t_max.max_element());
-        if let Some(middle) = &mut self.middle {
-            middle.t_max = longest;
-        }
-    }
-
-    /// Whether what is not nearer than `near` is beyond the end of all of them.
-    #[inline(always)]
-    pub(crate) fn ends_before(&self, near: f32) -> bool {
-        near > self.rays.t_max.max_element()
+    pub(crate) fn shorten(&mut self, t: Vec4) {
+        self.rays.t_max = t + Vec4::splat(self.rays.margin);
     }
 }
 
-/// How far the four vectors are from another one at most.
+/// The length of the longest.
 #[inline(always)]
-fn apart([x, y, z]: [Vec4; 3], [ox, oy, oz]: [Vec4; 3]) -> f32 {
-    let (x, y, z) = (x - ox, y - oy, z - oz);
+fn apart(vectors: Vec3x4) -> f32 {
     // Rounded upwards.
-    libm::sqrtf((x * x + y * y + z * z).max_element()) * (1.0 + 4.0 * f32::EPSILON)
-}
-
-#[inline(always)]
-fn pick(four: Vec4, k: usize) -> Vec4 {
-    Vec4::splat(four.as_ref().get(k).copied().unwrap_or(f32::NAN))
+    libm::sqrtf(vectors.dot(vectors).max_element()) * (1.0 + 4.0 * f32::EPSILON)
 }

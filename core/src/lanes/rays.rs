@@ -1,4 +1,4 @@
-//! Four rays and one thing, or one ray and four things: spheres, cylinders, triangles.
+//! Four rays and one thing, or one ray and four things: spheres and cylinders; and four triangles.
 
 use glam::Vec4;
 
@@ -45,22 +45,16 @@ impl Rays {
         (is_along & !(s * s).cmpgt(r * r * (dx * dx + dy * dy))).bitmask()
     }
 
-    /// Of the triangles in `mask`, those that a ray may meet: of four, or of one that `pick` takes of each four numbers.
+    /// Of the triangles in `mask`, those that a ray may meet.
     ///
     /// In `f32` those are left out that it leads away from, by the first test of [`Triangle`](crate::shape::Triangle) and its arithmetic;
     /// but for a ray from too far away, whose numbers are not its own. Then those are left out whose plane it meets beyond an
     /// edge, by the part `cosine` of how far. A triangle's own test lets by as much as 168 EPSILON of `far`, or 4 LSB and 2^-25
     /// of its distance, and these sums err by less than 60 EPSILON of `far`: four margins are more.
     #[inline(always)]
-    pub(super) fn meet_sheets<S: Scalar>(
-        &self,
-        sheets: &Sheets,
-        pick: impl Fn(&Vec4) -> Vec4,
-        mask: u32,
-    ) -> u32 {
-        let three = |vector: &[Vec4; 3]| vector.each_ref().map(&pick);
+    pub(super) fn meet_sheets<S: Scalar>(&self, sheets: &Sheets, mask: u32) -> u32 {
         let ([ox, oy, oz], [dx, dy, dz]) = (self.origin, self.direction);
-        let ([x, y, z], [nx, ny, nz]) = (three(&sheets.corner), three(&sheets.normal));
+        let ([x, y, z], [nx, ny, nz]) = (sheets.corner, sheets.normal);
         let (x, y, z) = (x - ox, y - oy, z - oz);
         let height = x * nx + y * ny + z * nz;
         let cosine = nx * dx + ny * dy + nz * dz;
@@ -74,11 +68,10 @@ impl Rays {
             return 0;
         }
         let least = Vec4::splat(-4.0 * self.margin);
-        let [first, second, third] = sheets.inward.each_ref().map(|inward| {
-            let [ix, iy, iz] = three(inward);
-            height * (ix * dx + iy * dy + iz * dz) - cosine * (x * ix + y * iy + z * iz)
-        });
-        let first = first + pick(&sheets.height) * cosine;
+        let [first, second, third] = sheets
+            .inward
+            .map(|[ix, iy, iz]| height * (ix * dx + iy * dy + iz * dz) - cosine * (x * ix + y * iy + z * iz));
+        let first = first + sheets.height * cosine;
         // Upwards none of them is below 0, downwards none above.
         let is_upwards = is_upwards & (first.cmplt(least) | second.cmplt(least) | third.cmplt(least));
         let is_downwards =
@@ -110,12 +103,6 @@ pub(crate) struct Met {
 }
 
 impl Met {
-    /// A bit for each.
-    #[inline(always)]
-    pub(crate) fn mask(&self) -> u32 {
-        self.mask
-    }
-
     /// The numbers of the items, 0 to 3.
     #[inline(always)]
     pub(crate) fn items(&self) -> Bits {

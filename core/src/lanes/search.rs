@@ -91,8 +91,7 @@ impl<'a> Probe<'a> {
         }
         if met.mask != 0 && pack.sheets != Pack::NO_SHEETS {
             let sheets = self.lanes.sheets.get(index(pack.sheets));
-            met.mask &=
-                sheets.map_or(met.mask, |sheets| self.rays.meet_sheets::<S>(sheets, |four| *four, met.mask));
+            met.mask &= sheets.map_or(met.mask, |sheets| self.rays.meet_sheets::<S>(sheets, met.mask));
         }
         met
     }

@@ -3,8 +3,12 @@
 #![allow(clippy::float_arithmetic)] // beside `lanes`, the one file of the core with floats in it
 
 use super::{Light, Scalar, Unit};
+use crate::color::Rgb;
+use crate::illumination::Illumination;
 use crate::lanes;
+use crate::needs::Needs;
 use crate::range::Magnitude;
+use crate::raster::Pixels;
 use crate::shape::sphere;
 use crate::vector::{LengthVector, Plan, UnitVector, Vector};
 
@@ -70,7 +74,14 @@ macro_rules! float {
             #[cfg_attr(target_os = "none", inline(never))] // three registers ask
             #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a float's cast saturates
             fn level(self, max: u8) -> u8 {
-                if self >= 1.0 { max } else { (self * max as $f + 0.5) as i32 as u8 }
+                if lanes::LANES {
+                    // Without a branch.
+                    (self.min(1.0) * max as $f + 0.5) as u8
+                } else if self >= 1.0 {
+                    max
+                } else {
+                    (self * max as $f + 0.5) as i32 as u8
+                }
             }
         }
 
@@ -290,6 +301,14 @@ float!(f32, glam::Vec3, libm::sqrtf, i32, 1e18, size32, {
     #[inline]
     fn of_lane(along: f32, across: f32, radius: f32, t_max: f32) -> Option<Option<f32>> {
         Some(sphere::within(along, across, radius, t_max))
+    }
+    #[inline]
+    fn fold_pixels<M: Illumination<Self>, N: Needs, const STACK: usize, B>(
+        pixels: Pixels<Self, M, N, STACK>,
+        init: B,
+        f: impl FnMut(B, Rgb<Self>) -> B,
+    ) -> B {
+        if lanes::LANES { pixels.by_fours(init, f) } else { pixels.one_by_one(init, f) }
     }
 });
 #[cfg(feature = "f64")]

@@ -1,74 +1,118 @@
 //! What four rays beside each other meet.
 
-use super::nearest::Best;
-use super::shadow::{Shade, dim};
+mod shadow;
+mod spots;
+
+use glam::{BVec4A, Vec4};
+
 use super::{Hit, Known, Object, Scene};
 use crate::bvh::{Bits, Item, index};
-use crate::lanes::{Entry, Four, Met, Pack};
+use crate::lanes::geometry::{Ray4, to_floor};
+use crate::lanes::vectors::{lane, mask, one, one_mut, set};
+use crate::lanes::{Four, Pack};
 use crate::needs::Needs;
-use crate::ray::Ray;
-use crate::scalar::{Scalar, Unit};
+use crate::scalar::Scalar;
+pub(crate) use spots::Spots;
 
-impl<S: Scalar> Scene<'_, S> {
+/// What four rays meet first.
+pub(crate) struct Nearest {
+    /// How far away; of a ray that meets nothing, [`Scalar::FAR`], and of one that is not there, 0.
+    distance: Vec4,
+    objects: [Option<Object>; 4],
+}
+
+impl Nearest {
+    /// Takes hits of those rays that are not farther away; where one is as near, the first in order.
+    #[inline(always)]
+    fn offer(&mut self, met: BVec4A, distance: Vec4, object: Object) {
+        let nearer = met & distance.cmplt(self.distance);
+        let mut taken = nearer.bitmask();
+        for k in Bits(met.bitmask() & !taken) {
+            taken |= u32::from(one(&self.objects, k).is_none_or(|met| object < met)) << k;
+        }
+        self.distance = Vec4::select(nearer, distance, self.distance);
+        for k in Bits(taken) {
+            *one_mut(&mut self.objects, k) = Some(object);
+        }
+    }
+
+    /// Takes the hit of one.
+    #[inline(always)]
+    fn offer_one(&mut self, k: usize, hit: Hit<f32>) {
+        let place = one_mut(&mut self.objects, k);
+        if hit.distance < lane(&self.distance, k) || place.is_none_or(|met| hit.object < met) {
+            set(&mut self.distance, k, hit.distance);
+            *place = Some(hit.object);
+        }
+    }
+
+    /// What one ray has to be nearer than.
+    #[inline(always)]
+    fn limit(&self, k: usize) -> f32 {
+        lane(&self.distance, k).next_up()
+    }
+}
+
+impl Scene<'_, f32> {
     /// The nearest hits of four rays, of those in `there`. `are_eyes` is whether they have just left the eye: then the others are
     /// copies, later they are rays of pixels that are done.
     #[inline(always)]
     pub(crate) fn find_four<N: Needs>(
         &self,
-        rays: &[Ray<S>; 4],
+        rays: &Ray4,
         there: u32,
         are_eyes: bool,
-        lid: S,
+        lid: f32,
         known: &mut Known,
-    ) -> [Option<Hit<S>>; 4] {
-        let mut hits = [None; 4];
+    ) -> Nearest {
+        let far = Vec4::select(mask(there), Vec4::splat(f32::FAR), Vec4::ZERO);
+        let mut nearest = Nearest { distance: far, objects: [None; 4] };
+        if N::FLOOR && self.floor.is_some() {
+            let (met, distance) = to_floor(rays);
+            nearest.offer(met & distance.cmple(nearest.distance), distance, Object::Floor);
+        }
         let left = if self.is_laned::<N>() && (are_eyes || self.lanes.nodes.is_empty()) {
-            self.nearest_four::<N>(rays, there, lid, known, &mut hits)
+            self.nearest_four::<N>(rays, there, lid, known, &mut nearest)
         } else {
             there
         };
-        for r in Bits(left) {
-            if let (Some(hit), Some(ray)) = (hits.get_mut(r), rays.get(r)) {
-                *hit = self.find::<N>(ray, lid);
+        for k in Bits(left) {
+            let ray = self.ray::<N>(rays.origin.lane(k), rays.direction.lane(k));
+            if let Some(hit) = self.find::<N>(&ray, lid) {
+                nearest.offer_one(k, hit);
             }
         }
-        hits
+        nearest
     }
 
     /// The nearest hit of each, by lanes: a bit for each ray that has to look for itself.
     #[inline(always)]
     fn nearest_four<N: Needs>(
         &self,
-        rays: &[Ray<S>; 4],
+        rays: &Ray4,
         there: u32,
-        lid: S,
+        lid: f32,
         known: &mut Known,
-        hits: &mut [Option<Hit<S>>; 4],
+        nearest: &mut Nearest,
     ) -> u32 {
         let Some(lately) = known.of_eye() else { return there };
         if !lately.go_together() {
             return there;
         }
+        let Some(mut four) = Four::new(&self.lanes, rays, nearest.distance) else {
+            return there;
+        };
         let mut asked = 0;
-        let floors = rays.each_ref().map(|ray| {
-            if N::FLOOR { self.floor.as_ref().and_then(|floor| floor.intersect(ray)) } else { None }
-        });
-        let mut bests = floors.map(Best::new);
-        let t_max = floors.map(|floor| floor.unwrap_or(S::FAR));
-        let Some(mut four) = Four::new(&self.lanes, rays.each_ref(), t_max) else { return there };
         let mut left = 0;
         if N::CYLINDERS {
             for posts in self.lanes.posts {
                 for (k, &i) in posts.cylinders.iter().enumerate() {
                     let Some(cylinder) = self.cylinders.get(index(i)) else { continue };
                     for r in four.meet_post(posts, k) {
-                        if let (Some(best), Some(ray)) = (bests.get_mut(r), rays.get(r)) {
-                            let distance = cylinder.intersect(ray, best.limit, lid);
-                            let hit =
-                                distance.map(|distance| Hit { distance, object: Object::Cylinder(index(i)) });
-                            if let Some(distance) = hit.and_then(|hit| best.offer(hit)) {
-                                four.shorten(r, distance);
-                            }
+                        let distance = cylinder.intersect(&rays.lane(r), nearest.limit(r), lid);
+                        if let Some(distance) = distance {
+                            nearest.offer_one(r, Hit { distance, object: Object::Cylinder(index(i)) });
+                            four.shorten(nearest.distance);
                         }
                     }
                 }
@@ -76,15 +120,16 @@ impl<S: Scalar> Scene<'_, S> {
         }
         if self.lanes.nodes.is_empty() {
             for pack in self.lanes.packs {
-                asked += self.nearest_of_four::<N>(pack, there, rays, &mut four, &mut bests);
+                asked += self.nearest_of_four::<N>((pack, pack.slots()), 15, rays, &mut four, nearest);
             }
         } else {
-            let Some(cells) = four.eye_cells() else { return there };
+            let (Some(cells), Some(beam)) = (four.eye_cells(), four.beam()) else { return there };
             let mut waiting = there;
             while let Some((cell, group)) = next_group(&cells, &mut waiting) {
                 let cell = self.lanes.in_cell(0, cell);
                 for &entry in cell.entries {
-                    if four.ends_before(cell.near(entry)) {
+                    let longest = four.longest();
+                    if cell.near(entry) > longest {
                         break;
                     }
                     let Some(pack) = self.lanes.packs.get(index(entry.pack())) else {
@@ -92,212 +137,58 @@ impl<S: Scalar> Scene<'_, S> {
                         left |= group;
                         break;
                     };
-                    asked += self.nearest_of_four::<N>(pack, group, rays, &mut four, &mut bests);
+                    let slots = beam.touch(pack, longest);
+                    asked += self.nearest_of_four::<N>((pack, slots), group, rays, &mut four, nearest);
                 }
             }
         }
         lately.have_asked(asked);
-        for (hit, best) in hits.iter_mut().zip(bests) {
-            *hit = best.hit;
-        }
         left
     }
 
-    /// The nearest hits with a pack of the rays in `group`, and how many items were asked.
+    /// The nearest hits with some items of a pack of the rays in `group`, and how many items that were.
     #[inline(always)]
     fn nearest_of_four<N: Needs>(
         &self,
-        pack: &Pack,
+        (pack, slots): (&Pack, Bits),
         group: u32,
-        rays: &[Ray<S>; 4],
+        rays: &Ray4,
         four: &mut Four,
-        bests: &mut [Best<S>; 4],
+        nearest: &mut Nearest,
     ) -> u32 {
         let mut asked = 0;
-        for k in four.touch(pack) {
+        for k in slots {
             asked += 1;
-            let met = four.meet::<S>(pack, k);
-            for r in Bits(met.mask() & group) {
-                if let (Some(best), Some(ray)) = (bests.get_mut(r), rays.get(r)) {
-                    let found = self.meet_four::<N>(four, (pack, k), (&met, r), ray, best.limit);
-                    if let Some(distance) = found.and_then(|found| best.offer(found)) {
-                        four.shorten(r, distance);
-                    }
+            let item = one(&pack.items, k);
+            let sphere = || {
+                let (center, radius) = pack.sphere(k);
+                let (is_met, distance) = rays.meet_sphere(center, radius);
+                (is_met & distance.cmple(nearest.distance), distance)
+            };
+            let (object, (is_met, distance)) = match item {
+                Item::Sphere(i) if N::SPHERES => (Object::Sphere(index(i)), sphere()),
+                Item::Lamp(i) if N::VISIBLE_LAMPS => (Object::Lamp(index(i)), sphere()),
+                Item::Triangle(i) if N::TRIANGLES => {
+                    let Some(triangle) = self.triangles.get(index(i)) else { continue };
+                    (Object::Triangle(index(i)), rays.meet_triangle::<true>(triangle, nearest.distance))
                 }
+                _ => {
+                    for r in Bits(four.meet(pack, k) & group) {
+                        if let Some(hit) = self.meet_other::<N>(item, &rays.lane(r), nearest.limit(r)) {
+                            nearest.offer_one(r, hit);
+                            four.shorten(nearest.distance);
+                        }
+                    }
+                    continue;
+                }
+            };
+            let is_met = if group == 15 { is_met } else { is_met & mask(group) };
+            if is_met.any() {
+                nearest.offer(is_met, distance, object);
+                four.shorten(nearest.distance);
             }
         }
         asked
-    }
-
-    /// Where ray `r` of four meets item `k` of a pack nearer than `t_max`.
-    #[inline(always)]
-    fn meet_four<N: Needs>(
-        &self,
-        four: &Four,
-        (pack, k): (&Pack, usize),
-        (met, r): (&Met, usize),
-        ray: &Ray<S>,
-        t_max: S,
-    ) -> Option<Hit<S>> {
-        let &item = pack.items.get(k)?;
-        let object = match item {
-            Item::Sphere(i) if N::SPHERES => Object::Sphere(index(i)),
-            Item::Lamp(i) if N::VISIBLE_LAMPS => Object::Lamp(index(i)),
-            _ => return self.meet_other::<N>(item, ray, t_max),
-        };
-        match four.sphere((pack, k), met, r, t_max) {
-            Some(distance) => Some(Hit { distance: distance?, object }),
-            None => self.meet::<N>(item, ray, t_max),
-        }
-    }
-
-    /// What part of a lamp's light comes through along each of four shadow rays with their lengths, of those in
-    /// `there`; see [`Scene::transmittance`](Scene::transmittance).
-    #[inline(never)]
-    pub(crate) fn transmittance_four<N: Needs>(
-        &self,
-        shadows: &[Option<(Ray<S>, S)>; 4],
-        there: u32,
-        lid: S,
-        lamp: usize,
-        known: &mut Known,
-    ) -> [S::Unit; 4] {
-        let Some(first) = shadows.iter().flatten().next() else { return [S::Unit::ONE; 4] };
-        let rays = shadows.each_ref().map(|shadow| &shadow.as_ref().unwrap_or(first).0);
-        let t_max = shadows.each_ref().map(|shadow| shadow.as_ref().unwrap_or(first).1);
-        let mut parts = [S::Unit::ONE; 4];
-        let left = if self.is_laned::<N>() && there & there.wrapping_sub(1) != 0 {
-            self.through_four::<N>((rays, t_max, there), lid, lamp, known, &mut parts)
-        } else {
-            there
-        };
-        for r in Bits(left) {
-            if let (Some(part), Some(ray), Some(t_max)) = (parts.get_mut(r), rays.get(r), t_max.get(r)) {
-                *part = self.transmittance_after::<N>(ray, *t_max, lid, lamp, known);
-            }
-        }
-        parts
-    }
-
-    /// The same by lanes: a bit for each ray that has to look for itself.
-    #[inline(always)]
-    fn through_four<N: Needs>(
-        &self,
-        (rays, t_max, there): ([&Ray<S>; 4], [S; 4], u32),
-        lid: S,
-        lamp: usize,
-        known: &mut Known,
-        parts: &mut [S::Unit; 4],
-    ) -> u32 {
-        let mut open = there;
-        let Some(lately) = known.of(lamp) else { return open };
-        if !lately.go_together() {
-            known.tell(false);
-            return open;
-        }
-        let last = &mut lately.occluder;
-        let mut asked = 0;
-        let mut hide = |open: &mut u32, r: usize| {
-            *open &= !(1 << r);
-            if let Some(part) = parts.get_mut(r) {
-                *part = S::Unit::ZERO;
-            }
-        };
-        if *last != Item::NONE {
-            for r in Bits(there) {
-                if let (Some(ray), Some(t_max)) = (rays.get(r), t_max.get(r))
-                    && self.meet::<N>(*last, ray, *t_max).is_some()
-                {
-                    hide(&mut open, r);
-                }
-            }
-            if open == 0 {
-                return 0;
-            }
-            if open == there {
-                *last = Item::NONE;
-            }
-        }
-        let Some(four) = Four::new(&self.lanes, rays, t_max) else { return open };
-        let mut behind_cylinders = 0;
-        if N::CYLINDERS {
-            for posts in self.lanes.posts {
-                for (k, &i) in posts.cylinders.iter().enumerate() {
-                    let Some(cylinder) = self.cylinders.get(index(i)) else { continue };
-                    for r in four.meet_post(posts, k) {
-                        if open >> r & 1 == 1
-                            && let (Some(ray), Some(t_max)) = (rays.get(r), t_max.get(r))
-                            && cylinder.intersect(ray, *t_max, lid).is_some()
-                        {
-                            if dim::<S, N>(&mut { S::Unit::ONE }, &cylinder.material) {
-                                behind_cylinders |= 1 << r;
-                            } else {
-                                hide(&mut open, r);
-                            }
-                        }
-                    }
-                }
-            }
-        }
-        let mut shades = core::array::from_fn::<_, 4, _>(|_| Shade::<S>::new());
-        let mut left = 0;
-        let mut ask = |pack: &Pack, group: u32, open: &mut u32| {
-            for k in four.touch(pack) {
-                let Some(&item) = pack.items.get(k) else { continue };
-                if matches!(item, Item::Lamp(_)) {
-                    continue;
-                }
-                asked += 1;
-                let met = four.meet::<S>(pack, k);
-                for r in Bits(met.mask() & group & *open) {
-                    if let (Some(ray), Some(t_max), Some(shade)) =
-                        (rays.get(r), t_max.get(r), shades.get_mut(r))
-                        && self.meet_four::<N>(&four, (pack, k), (&met, r), ray, *t_max).is_some()
-                        && !self.item_material(item).is_none_or(|material| shade.pass::<N>(item, material))
-                    {
-                        hide(open, r);
-                        *last = item;
-                    }
-                }
-            }
-        };
-        if self.lanes.nodes.is_empty() {
-            for pack in self.lanes.packs {
-                ask(pack, 15, &mut open);
-            }
-        } else {
-            let Some((cells, far)) = four.lamp_cells(lamp) else { return open };
-            let mut waiting = open;
-            while let Some((cell, group)) = next_group(&cells, &mut waiting) {
-                let cell = self.lanes.in_cell(lamp + 1, cell);
-                if let Some(&rest) = cell.entries.last()
-                    && rest.pack() == Entry::REST
-                    && cell.near(rest) <= far
-                {
-                    left |= group;
-                    continue;
-                }
-                for &entry in cell.entries {
-                    if cell.near(entry) > far || open & group == 0 {
-                        break;
-                    }
-                    let Some(pack) = self.lanes.packs.get(index(entry.pack())) else { break };
-                    ask(pack, group, &mut open);
-                }
-            }
-        }
-        let was_good = lately.have_asked(asked);
-        known.tell(was_good);
-        left &= open;
-        for r in Bits(open & !left) {
-            if let (Some(part), Some(ray), Some(t_max), Some(shade)) =
-                (parts.get_mut(r), rays.get(r), t_max.get(r), shades.get_mut(r))
-            {
-                let light = shade.light().unwrap_or_else(|| self.through_lists::<N>(ray, *t_max));
-                *part = self.through_rest::<N>(ray, *t_max, lid, light, behind_cylinders >> r & 1 == 1);
-            }
-        }
-        left
     }
 }
 

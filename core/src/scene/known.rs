@@ -7,10 +7,6 @@ use crate::lanes::LANES;
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Known {
     of: [Lately; KNOWN],
-    /// Of all rays of a row, by how its shadow rays went: so many searches were better done together, and so many not.
-    row: Alone,
-    good: u32,
-    bad: u32,
 }
 
 /// What is known of the rays to a lamp, or of those from the eye.
@@ -22,7 +18,7 @@ pub(super) struct Lately {
     alone: Alone,
 }
 
-/// How many times four go alone, and how many it was the last time: twice as many the next.
+/// How many times the rays of four pixels are searched for one by one, and how many it was the last time: twice as many the next.
 #[derive(Clone, Copy, Debug)]
 struct Alone {
     left: u8,
@@ -61,17 +57,7 @@ impl Known {
     /// Nothing yet.
     pub(crate) const fn new() -> Self {
         let nothing = Lately { occluder: Item::NONE, alone: Alone::NEVER };
-        Self { of: [nothing; KNOWN], row: Alone::NEVER, good: 0, bad: 0 }
-    }
-
-    /// Whether four rays of the next row go beside each other.
-    #[inline(always)]
-    pub(crate) fn go_together(&mut self) -> bool {
-        if self.good | self.bad != 0 {
-            self.row.learn(self.bad <= self.good);
-            (self.good, self.bad) = (0, 0);
-        }
-        self.row.is_over()
+        Self { of: [nothing; KNOWN] }
     }
 
     /// What is known of the rays from the eye.
@@ -83,13 +69,6 @@ impl Known {
     pub(super) fn of(&mut self, lamp: usize) -> Option<&mut Lately> {
         self.of.get_mut(lamp % 8)
     }
-
-    /// Told whether it was good to search for four rays to a lamp together; or that they were not.
-    #[inline(always)]
-    pub(super) fn tell(&mut self, was_good: bool) {
-        let count = if was_good { &mut self.good } else { &mut self.bad };
-        *count += 1;
-    }
 }
 
 impl Lately {
@@ -99,11 +78,9 @@ impl Lately {
         self.alone.is_over()
     }
 
-    /// Told how many items they have asked: whether it was good.
+    /// Told how many items they have asked.
     #[inline(always)]
-    pub(super) fn have_asked(&mut self, items: u32) -> bool {
-        let was_good = items <= CROWD;
-        self.alone.learn(was_good);
-        was_good
+    pub(super) fn have_asked(&mut self, items: u32) {
+        self.alone.learn(items <= CROWD);
     }
 }

@@ -45,6 +45,12 @@ impl<S: Scalar> Shade<S> {
         }
     }
 
+    /// Whether nothing was on the way.
+    #[inline(always)]
+    pub(super) fn is_empty(&self) -> bool {
+        self.0.is_empty()
+    }
+
     /// What comes through all of them; nothing if they were too many.
     #[inline(always)]
     pub(super) fn light(&mut self) -> Option<S::Unit> {

@@ -5,9 +5,8 @@ mod window;
 use rta_core::Scalar;
 use rta_core::lanes::{Cube, Entry, Face};
 
-use super::bounds::Bounds;
+use super::bounds::{Bounds, Rounded};
 use super::lanes::{Built, as_number, single};
-use super::tree::Solid;
 use crate::description::Description;
 use window::{Grid, Windows};
 
@@ -19,11 +18,11 @@ const LARGE: usize = 6;
 /// Cells of a cube at least and at most; between these, half as many as there are objects.
 const CELLS: core::ops::RangeInclusive<usize> = 4096..=65536;
 
-/// The cubes of a scene whose nodes and packs are built; `runs` are for each pack the first of the `solids` in it, and how
+/// The cubes of a scene whose nodes and packs are built; `runs` are for each pack the first of the `boxes` of the objects in it, and how
 /// many they are.
 pub(super) fn build<S: Scalar>(
     scene: &Description,
-    solids: &[Solid],
+    boxes: &[Rounded],
     runs: &[(u32, u32)],
     built: &mut Built,
 ) {
@@ -45,7 +44,7 @@ pub(super) fn build<S: Scalar>(
         let cube = if reach < size / 16.0 {
             let [x, y, z] = center.map(single);
             let cube = Cube { center: [x, y, z, built.size].into(), slack, margin, ..Cube::NONE };
-            Point { center, reach }.look(cube, solids, runs, built)
+            Point { center, reach }.look(cube, boxes, runs, built)
         } else {
             Cube::NONE
         };
@@ -55,9 +54,8 @@ pub(super) fn build<S: Scalar>(
 }
 
 /// The objects of each pack.
-fn each<'a>(solids: &'a [Solid], runs: &[(u32, u32)]) -> impl Iterator<Item = &'a [Solid]> {
-    runs.iter()
-        .map(|&(first, count)| solids.get(first as usize..(first + count) as usize).unwrap_or_default())
+fn each<'a>(boxes: &'a [Rounded], runs: &[(u32, u32)]) -> impl Iterator<Item = &'a [Rounded]> {
+    runs.iter().map(|&(first, count)| boxes.get(first as usize..(first + count) as usize).unwrap_or_default())
 }
 
 /// Where things are seen from; they are larger by `reach`.
@@ -88,13 +86,13 @@ impl Point {
 
     /// The part of the faces that `cells` are made for: it is smaller where a few large packs are left out.
     #[allow(clippy::cast_precision_loss)] // few
-    fn frame(&self, solids: &[Solid], runs: &[(u32, u32)], cells: f64) -> Windows {
+    fn frame(&self, boxes: &[Rounded], runs: &[(u32, u32)], cells: f64) -> Windows {
         let most = LARGE.min(runs.len() / 4);
         let mut large: Vec<(f64, Windows)> = Vec::with_capacity(most + 1);
         let (mut frame, mut sides, mut count) = (Windows::default(), 0.0, 0.0);
-        for run in each(solids, runs) {
+        for run in each(boxes, runs) {
             let mut windows = Windows::default();
-            run.iter().for_each(|solid| windows.join(&self.windows(&solid.bounds)));
+            run.iter().for_each(|rounded| windows.join(&self.windows(&rounded.bounds())));
             let area = windows.area();
             let place = large.partition_point(|(other, _)| *other >= area);
             large.insert(place, (area, windows));
@@ -131,11 +129,11 @@ impl Point {
     }
 
     /// Completes a cube; its cells and their entries are appended to what is built.
-    fn look(&self, cube: Cube, solids: &[Solid], runs: &[(u32, u32)], built: &mut Built) -> Cube {
-        let cells = (solids.len() / 2).clamp(*CELLS.start(), *CELLS.end());
+    fn look(&self, cube: Cube, boxes: &[Rounded], runs: &[(u32, u32)], built: &mut Built) -> Cube {
+        let cells = (boxes.len() / 2).clamp(*CELLS.start(), *CELLS.end());
         #[allow(clippy::cast_precision_loss)] // few
         let cells = cells as f64;
-        let frame = self.frame(solids, runs, cells);
+        let frame = self.frame(boxes, runs, cells);
         let length = (frame.area() / cells).sqrt();
         let mut total = 0;
         let grids = frame.0.map(|window| {
@@ -144,10 +142,10 @@ impl Point {
             grid
         });
         // All packs, the nearest first.
-        let mut order: Vec<(f64, u32, &[Solid])> = each(solids, runs)
+        let mut order: Vec<(f64, u32, &[Rounded])> = each(boxes, runs)
             .zip(0..)
             .map(|(run, pack)| {
-                let near = run.iter().map(|solid| self.near(&solid.bounds));
+                let near = run.iter().map(|rounded| self.near(&rounded.bounds()));
                 (near.fold(f64::INFINITY, f64::min), pack, run)
             })
             .collect();
@@ -156,8 +154,8 @@ impl Point {
         let mut lists = Lists::new(total);
         for &(near, pack, run) in &order {
             let near = single(near - nearest);
-            for solid in run {
-                for (grid, window) in grids.iter().zip(self.windows(&solid.bounds).0) {
+            for rounded in run {
+                for (grid, window) in grids.iter().zip(self.windows(&rounded.bounds()).0) {
                     if let Some(window) = window {
                         grid.each(&window, |cell| lists.add(cell, pack, near));
                     }
