@@ -2,7 +2,7 @@
 
 use glam::{BVec4A, Vec3, Vec4};
 
-use super::vectors::{Vec3x4, lane, set};
+use super::vectors::{Vec3x4, lane, one_ref, set};
 use crate::bvh::Bits;
 use crate::material::Glass;
 use crate::ray::Ray;
@@ -50,6 +50,7 @@ pub(crate) struct Spot4 {
 }
 
 impl Spot4 {
+    /// Nothing.
     pub(crate) const ZERO: Self =
         Self { distance: Vec4::ZERO, point: Vec3x4([Vec4::ZERO; 3]), normal: Vec3x4([Vec4::ZERO; 3]) };
 
@@ -76,16 +77,23 @@ impl Spot4 {
         let normal = normal.plus(normal, excess * Vec4::splat(-0.5));
         let mut spots =
             Self { distance: b + radius * (offset - past), point: center.plus(normal, radius), normal };
-        // The search saw a tangent where there is a miss by less than its rounding.
-        for k in Bits(which & square.cmplt(Vec4::ZERO).bitmask()) {
-            if let Some(sphere) = spheres.get(k) {
-                let spot = sphere.spot(&rays.lane(k), lane(&t, k));
-                set(&mut spots.distance, k, spot.distance);
-                spots.point.set(k, spot.point);
-                spots.normal.set(k, spot.normal);
-            }
+        let missed = which & square.cmplt(Vec4::ZERO).bitmask();
+        if missed != 0 {
+            spots.mend(missed, spheres, rays, t);
         }
         spots
+    }
+
+    /// Where the search saw a tangent but there is a miss by less than its rounding.
+    #[cold]
+    #[inline(never)]
+    fn mend(&mut self, missed: u32, spheres: [&Sphere<f32>; 4], rays: &Ray4, t: Vec4) {
+        for k in Bits(missed) {
+            let spot = one_ref(&spheres, k).spot(&rays.lane(k), lane(&t, k));
+            set(&mut self.distance, k, spot.distance);
+            self.point.set(k, spot.point);
+            self.normal.set(k, spot.normal);
+        }
     }
 }
 
