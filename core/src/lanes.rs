@@ -90,18 +90,6 @@ pub struct Pack {
 }
 
 impl Pack {
-    /// Centre and radius of a bounding sphere, four times.
-    #[inline(always)]
-    pub(crate) fn sphere(&self, slot: usize) -> (Vec3x4, Vec4) {
-        (Vec3x4(self.center.map(|four| pick(four, slot))), pick(self.radius, slot))
-    }
-
-    /// All items that are there.
-    #[inline(always)]
-    pub(crate) fn slots(&self) -> Bits {
-        Bits(self.radius.cmpge(Vec4::ZERO).bitmask())
-    }
-
     /// No cones.
     pub const NO_RODS: u32 = u32::MAX;
     /// No triangles.
@@ -114,6 +102,18 @@ impl Pack {
         rods: Self::NO_RODS,
         sheets: Self::NO_SHEETS,
     };
+
+    /// Centre and radius of a bounding sphere, four times.
+    #[inline(always)]
+    pub(crate) fn sphere(&self, slot: usize) -> (Vec3x4, Vec4) {
+        (Vec3x4(self.center.map(|four| pick(four, slot))), pick(self.radius, slot))
+    }
+
+    /// All items that are there.
+    #[inline(always)]
+    pub(crate) fn slots(&self) -> Bits {
+        Bits(self.radius.cmpge(Vec4::ZERO).bitmask())
+    }
 }
 
 /// Endless cylinders about the cones of a pack: their axes go through its centres.

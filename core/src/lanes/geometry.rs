@@ -6,6 +6,7 @@ use super::vectors::{Vec3x4, lane, one_ref, set};
 use crate::bvh::Bits;
 use crate::material::Glass;
 use crate::ray::Ray;
+use crate::scalar::Scalar;
 use crate::shape::Sphere;
 
 /// Four rays side by side.
@@ -97,8 +98,8 @@ impl Spot4 {
     }
 }
 
-/// The unit vectors along four vectors, their lengths and the reciprocals of these, and which of them are none as a vector was 0: four times
-/// [`normalize`](crate::vector::LengthVector::normalize).
+/// The unit vectors along four vectors, their lengths and the reciprocals of these, and a bit for each that is none as the vector
+/// was 0: four times [`normalize`](crate::vector::LengthVector::normalize).
 #[inline(always)]
 pub(crate) fn normalize(vectors: Vec3x4) -> (Vec3x4, Vec4, Vec4, u32) {
     let length = vectors.dot(vectors).sqrt();
@@ -118,13 +119,13 @@ pub(crate) fn leave(point: Vec3x4, normal: Vec3x4, direction: Vec3x4, extent: Ve
     (point.plus(along, way), Vec4::splat(6.0) * step)
 }
 
-/// The way and distance to a floor `z = 0` that four rays meet, and which do: four times [`Floor::intersect`](crate::shape::Floor::intersect).
+/// Which of four rays meet the floor, and how far away: four times [`Floor::intersect`](crate::shape::Floor::intersect).
 #[inline(always)]
 pub(crate) fn to_floor(rays: &Ray4) -> (BVec4A, Vec4) {
     let ([_, _, height], [_, _, rise], zero) = (rays.origin.0, rays.direction.0, Vec4::ZERO);
     let down = height.cmpgt(zero) & rise.cmplt(zero);
     let up = height.cmplt(zero) & rise.cmpgt(zero);
-    (down | up, (height.abs() / rise.abs()).min(Vec4::splat(<f32 as crate::scalar::Scalar>::FAR)))
+    (down | up, (height.abs() / rise.abs()).min(Vec4::splat(f32::FAR)))
 }
 
 /// Directions through the image plane: four times [`Camera::direction`](crate::camera::Camera::direction).

@@ -1,6 +1,6 @@
 //! `f32` and `f64` as scalars: glam's vectors, libm's square root. Nothing is fused and nothing is reordered, so the
 //! results are the same on every processor with IEEE 754 arithmetic.
-#![allow(clippy::float_arithmetic)] // beside `lanes`, the one file of the core with floats in it
+#![allow(clippy::float_arithmetic)] // with `lanes` and what traces four pixels by them, where the core has floats
 
 use super::{Light, Scalar, Unit};
 use crate::color::Rgb;
@@ -75,8 +75,9 @@ macro_rules! float {
             #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a float's cast saturates
             fn level(self, max: u8) -> u8 {
                 if lanes::LANES {
-                    // Without a branch.
-                    (self.min(1.0) * max as $f + 0.5) as u8
+                    // The same without a branch.
+                    let light = if self >= 1.0 { 1.0 } else { self };
+                    (light * max as $f + 0.5) as u8
                 } else if self >= 1.0 {
                     max
                 } else {

@@ -1,6 +1,5 @@
 //! Boxes with sides along the axes.
 
-use super::lanes::single;
 use crate::description::Sphere;
 
 /// A box.
@@ -82,25 +81,5 @@ impl Bounds {
     /// The largest size of a coordinate.
     pub(super) fn largest(&self) -> f64 {
         self.low.iter().chain(&self.high).fold(0.0, |most, c| most.max(c.abs()))
-    }
-}
-
-/// The same in half the space, rounded outwards.
-#[derive(Clone, Copy)]
-pub(super) struct Rounded {
-    low: [f32; 3],
-    high: [f32; 3],
-}
-
-impl Rounded {
-    pub(super) fn new(bounds: &Bounds) -> Self {
-        Self {
-            low: bounds.low.map(|c| single(c).next_down()),
-            high: bounds.high.map(|c| single(c).next_up()),
-        }
-    }
-
-    pub(super) fn bounds(&self) -> Bounds {
-        Bounds { low: self.low.map(f64::from), high: self.high.map(f64::from) }
     }
 }

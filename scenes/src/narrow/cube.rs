@@ -5,8 +5,9 @@ mod window;
 use rta_core::Scalar;
 use rta_core::lanes::{Cube, Entry, Face};
 
-use super::bounds::{Bounds, Rounded};
+use super::bounds::Bounds;
 use super::lanes::{Built, as_number, single};
+use super::tree::Solid;
 use crate::description::Description;
 use window::{Grid, Windows};
 
@@ -18,17 +19,18 @@ const LARGE: usize = 6;
 /// Cells of a cube at least and at most; between these, half as many as there are objects.
 const CELLS: core::ops::RangeInclusive<usize> = 4096..=65536;
 
-/// The cubes of a scene whose nodes and packs are built; `runs` are for each pack the first of the `boxes` of the objects in it, and how
+/// The cubes of a scene whose nodes and packs are built; `runs` are for each pack the first of the `solids` in it, and how
 /// many they are.
 pub(super) fn build<S: Scalar>(
     scene: &Description,
-    boxes: &[Rounded],
+    solids: Vec<Solid>,
     runs: &[(u32, u32)],
     built: &mut Built,
 ) {
     if built.packs.len() >= Entry::REST as usize {
         return;
     }
+    let boxes: Vec<_> = solids.into_iter().map(|solid| Rounded::new(&solid.bounds)).collect();
     let size = f64::from(built.size);
     let lamps = scene.lamps.iter().map(|lamp| (lamp.position, false));
     for (center, is_eye) in core::iter::once((scene.camera.eye, true)).chain(lamps) {
@@ -44,7 +46,7 @@ pub(super) fn build<S: Scalar>(
         let cube = if reach < size / 16.0 {
             let [x, y, z] = center.map(single);
             let cube = Cube { center: [x, y, z, built.size].into(), slack, margin, ..Cube::NONE };
-            Point { center, reach }.look(cube, boxes, runs, built)
+            Point { center, reach }.look(cube, &boxes, runs, built)
         } else {
             Cube::NONE
         };
@@ -53,9 +55,29 @@ pub(super) fn build<S: Scalar>(
     built.cells.push(as_number(built.entries.len()));
 }
 
-/// The objects of each pack.
+/// The boxes of the objects of each pack.
 fn each<'a>(boxes: &'a [Rounded], runs: &[(u32, u32)]) -> impl Iterator<Item = &'a [Rounded]> {
     runs.iter().map(|&(first, count)| boxes.get(first as usize..(first + count) as usize).unwrap_or_default())
+}
+
+/// A box about an object in half the space, rounded outwards.
+#[derive(Clone, Copy)]
+struct Rounded {
+    low: [f32; 3],
+    high: [f32; 3],
+}
+
+impl Rounded {
+    fn new(bounds: &Bounds) -> Self {
+        Self {
+            low: bounds.low.map(|c| single(c).next_down()),
+            high: bounds.high.map(|c| single(c).next_up()),
+        }
+    }
+
+    fn bounds(&self) -> Bounds {
+        Bounds { low: self.low.map(f64::from), high: self.high.map(f64::from) }
+    }
 }
 
 /// Where things are seen from; they are larger by `reach`.

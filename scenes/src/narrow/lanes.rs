@@ -5,7 +5,7 @@ use rta_core::lanes::{Boxes, Cube, Entry, LARGEST, Lanes, Pack, Posts, Rods, She
 use rta_core::scalar::Unit;
 use rta_core::vector::{UnitVec3, Vector};
 
-use super::bounds::{Bounds, Rounded};
+use super::bounds::Bounds;
 use super::tree::{Costs, Solid, Tree, four, solids, tree};
 use super::{Narrow, cube, triangle};
 use crate::description::Description;
@@ -98,9 +98,7 @@ pub(super) fn build<S: Narrow>(scene: &Description) -> Built {
     drop(tree);
     let Maker { mut built, runs, .. } = maker;
     built.nodes.shrink_to_fit();
-    let boxes: Vec<_> = solids.iter().map(|solid| Rounded::new(&solid.bounds)).collect();
-    drop(solids);
-    cube::build::<S>(scene, &boxes, &runs, &mut built);
+    cube::build::<S>(scene, solids, &runs, &mut built);
     built
 }
 

@@ -52,9 +52,7 @@ impl<'a> Spots<'a> {
             material: one(&self.materials, k),
         }
     }
-}
 
-impl<'a> Spots<'a> {
     /// Some rays see the floor.
     #[inline(always)]
     fn add_floor(&mut self, floor: &Floor<f32>, rays: &Ray4, t: Vec4, which: u32) {
