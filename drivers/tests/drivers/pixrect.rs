@@ -1,12 +1,10 @@
-//! PIXRECT, operation by operation, and the cgthree under it, register by register.
-#![allow(clippy::indexing_slicing, reason = "a test that indexes out of bounds fails, as it should")]
+//! PIXRECT, operation by operation, on pixrects in memory.
 
-use rta_core::color::Rgb;
-use rta_drivers::bus::{Memory, Registers, ShortMemory};
 use rta_drivers::display::Display;
-use rta_drivers::pixrect::emulated::{Blank, Board, MEMORY_SIZE};
 use rta_drivers::pixrect::{Cgthree, MemPixrect, PIX_CLR, PIX_DONTCLIP, PIX_DST, PIX_SET, PIX_SRC};
 use rta_drivers::pixrect::{PixOp, Pixrect, PixrectDisplay, PixrectError, Rect};
+
+use crate::cgthree::board;
 
 type Mem = MemPixrect<Vec<u8>>;
 
@@ -14,7 +12,7 @@ const fn rect(x: i32, y: i32, w: i32, h: i32) -> Rect {
     Rect { x, y, w, h }
 }
 
-/// A memory pixrect with a value of its own at every pixel, from `base` up.
+/// A memory pixrect of depth 8 whose pixels count up from `base`, row by row; 0 follows 255.
 fn numbered(width: u32, height: u32, base: u8) -> Mem {
     let mut pr = blank(width, height, 8);
     for (value, (x, y)) in (base..=255).chain(0..=255).zip(all(width, height)) {
@@ -23,15 +21,18 @@ fn numbered(width: u32, height: u32, base: u8) -> Mem {
     pr
 }
 
+/// A memory pixrect whose pixels are 0.
 fn blank(width: u32, height: u32, depth: u8) -> Mem {
     MemPixrect::new(vec![0; usize::try_from((width + 16) * height).unwrap()], width, height, depth).unwrap()
 }
 
+/// The coordinates of all pixels, row by row from the top.
 fn all(width: u32, height: u32) -> impl Iterator<Item = (i32, i32)> {
     let (width, height) = (i32::try_from(width).unwrap(), i32::try_from(height).unwrap());
     (0..height).flat_map(move |y| (0..width).map(move |x| (x, y)))
 }
 
+/// The values of all pixels, row by row from the top.
 fn pixels(pr: &mut impl Pixrect) -> Vec<u8> {
     let (width, height) = pr.size();
     all(width, height).map(|(x, y)| pr.pr_get(x, y).unwrap()).collect()
@@ -40,7 +41,7 @@ fn pixels(pr: &mut impl Pixrect) -> Vec<u8> {
 /// A function of a source byte and a destination byte.
 type Function = fn(u8, u8) -> u8;
 
-/// The sixteen functions, by their expressions and by what they do.
+/// The sixteen raster operations, each as the manual writes it and as a function of bytes.
 fn functions() -> [(PixOp, Function); 16] {
     [
         (PIX_CLR, |_, _| 0),
@@ -101,7 +102,7 @@ fn rop_does_every_function_in_the_planes_of_the_mask() {
     assert_eq!(pixels(&mut dst), [0, 0, 0, 0xF0]);
 }
 
-/// What clipping should give, pixel by pixel.
+/// A raster operation PIX_SRC made of single puts and gets: pixels outside either pixrect are skipped.
 fn by_pixels(dst: &mut Mem, to: Rect, src: &mut Mem, sx: i32, sy: i32) {
     for y in 0..to.h.clamp(0, 50) {
         for x in 0..to.w.clamp(0, 50) {
@@ -127,7 +128,7 @@ fn rop_clips_at_every_edge_of_both() {
                 by_pixels(&mut wanted, to, &mut src, sx, sy);
                 let wanted = pixels(&mut wanted);
                 assert_eq!(pixels(&mut got), wanted, "{to:?} from ({sx}, {sy})");
-                // Without clipping it is all or nothing.
+                // With PIX_DONTCLIP either the whole rectangle is drawn or nothing.
                 let area = i64::from(to.w.max(0)) * i64::from(to.h.max(0));
                 let drawn = i64::try_from(wanted.iter().filter(|&&p| p != 0).count()).unwrap();
                 let mut whole = blank(8, 8, 8);
@@ -263,125 +264,4 @@ fn a_region_is_a_pixrect_of_its_own() {
     display.put_pixels(319, 199, &[9]).unwrap();
     assert!(display.put_pixels(319, 199, &[9, 9]).is_err());
     assert_eq!(screen.pr_get(419, 249), Ok(9));
-}
-
-fn board() -> Board<Vec<u8>> {
-    Board::new(vec![0; MEMORY_SIZE]).unwrap()
-}
-
-/// Records the registers written, passes everything on.
-struct Recorder(Board<Vec<u8>>, Vec<(u32, u32)>);
-
-impl Registers for Recorder {
-    fn write8(&mut self, offset: u32, value: u8) {
-        self.1.push((offset, value.into()));
-        self.0.write8(offset, value);
-    }
-    fn read8(&mut self, offset: u32) -> u8 {
-        self.0.read8(offset)
-    }
-    fn write32(&mut self, offset: u32, value: u32) {
-        self.1.push((offset, value));
-        self.0.write32(offset, value);
-    }
-}
-
-impl Memory for Recorder {
-    fn write(&mut self, offset: u32, bytes: &[u8]) {
-        self.0.write(offset, bytes);
-    }
-    fn read(&mut self, offset: u32, bytes: &mut [u8]) {
-        self.0.read(offset, bytes);
-    }
-}
-
-#[test]
-fn opening_a_cgthree_is_this_sequence() {
-    let did = Cgthree::open(Recorder(board(), Vec::new())).release().1;
-    let bt458 = [(0, 4), (8, 0xFF), (0, 5), (8, 0), (0, 6), (8, 0x40), (0, 7), (8, 0), (0, 0)];
-    assert_eq!(did[..9], bt458);
-    assert_eq!(did[9..201], [(4, 0); 192]);
-    assert_eq!(did[201..], [(0x10, 0x40)]);
-}
-
-#[test]
-fn the_colormap_is_loaded_in_words_of_whole_groups() {
-    let mut screen = Cgthree::open(Recorder(board(), Vec::new()));
-    let start = screen.bus().1.len();
-    // Entries 3 to 6 are in two groups of four: 0 to 3 and 4 to 7.
-    screen.pr_putcolormap(3, &[1, 4, 7, 10], &[2, 5, 8, 11], &[3, 6, 9, 12]).unwrap();
-    let did =
-        [(0, 0), (4, 0), (4, 0), (4, 0x0001_0203), (4, 0x0405_0607), (4, 0x0809_0A0B), (4, 0x0C00_0000)];
-    assert_eq!(screen.bus().1[start..], did);
-    screen.pr_putcolormap(255, &[20], &[21], &[22]).unwrap();
-    assert_eq!(screen.bus().1[start + did.len()..], [(0, 252), (4, 0), (4, 0), (4, 0x0014_1516)]);
-    screen.pr_put(1151, 899, 255).unwrap();
-    assert_eq!(screen.bus().0.monitor().unwrap().pixel(1151, 899), Some(Rgb::new(20, 21, 22)));
-
-    let before = screen.bus().1.len();
-    for (index, r, g) in [(256, 1, 1), (255, 2, 2), (usize::MAX, 1, 1), (0, 257, 257), (0, 2, 1)] {
-        let (red, green) = (vec![9; r], vec![9; g]);
-        assert_eq!(screen.pr_putcolormap(index, &red, &green, &red), Err(PixrectError::Colormap));
-        let (mut red, mut green, mut blue) = (red.clone(), green.clone(), red);
-        let read = screen.pr_getcolormap(index, &mut red, &mut green, &mut blue);
-        assert_eq!(read, Err(PixrectError::Colormap));
-    }
-    screen.pr_putcolormap(256, &[], &[], &[]).unwrap();
-    assert_eq!(screen.bus().1.len(), before, "refused and empty calls write nothing");
-    let (mut r, mut g, mut b) = ([0; 4], [0; 4], [0; 4]);
-    screen.pr_getcolormap(3, &mut r, &mut g, &mut b).unwrap();
-    assert_eq!((r, g, b), ([1, 4, 7, 10], [2, 5, 8, 11], [3, 6, 9, 12]));
-}
-
-#[test]
-fn the_bt458_counts_in_bytes_and_words() {
-    let mut screen = Cgthree::open(board()).release();
-    screen.write8(0x00, 255);
-    for value in [1, 2, 3, 4, 5, 6] {
-        screen.write8(0x04, value); // 255, then 0: the address wraps
-    }
-    screen.write8(0x04, 99); // red alone changes nothing
-    screen.write32(0x00, 1); // and an address starts the sequence anew
-    screen.write32(0x04, 0x0708_090A);
-    screen.write32(0x04, 0x0B0C_0D0E);
-    screen.write(0, &[255, 0, 1, 2, 3]);
-    let monitor = screen.monitor().unwrap();
-    let shown: Vec<_> = (0..5).map(|x| monitor.pixel(x, 0).unwrap()).collect();
-    let rgb = Rgb::new;
-    assert_eq!(shown, [rgb(1, 2, 3), rgb(4, 5, 6), rgb(7, 8, 9), rgb(10, 11, 12), rgb(0, 0, 0)]);
-    // The read mask is applied on the way to the screen.
-    screen.write8(0x00, 4);
-    screen.write8(0x08, 0x01);
-    assert_eq!(screen.read8(0x08), 1);
-    assert_eq!(screen.monitor().unwrap().pixel(3, 0), Some(rgb(4, 5, 6)));
-    assert_eq!(screen.monitor().unwrap().pixel(0, 0), Some(rgb(7, 8, 9)));
-    screen.write8(0x00, 6);
-    screen.write8(0x08, 0);
-    assert_eq!(screen.monitor().unwrap_err(), Blank::RamOff);
-    screen.write8(0x10, 0);
-    assert_eq!(screen.monitor().unwrap_err(), Blank::VideoOff);
-    for offset in [0x04, 0x0C, 0x20, u32::MAX] {
-        screen.write8(offset, 1);
-        assert_eq!(screen.read8(offset), 0, "{offset:X}h");
-    }
-    let short = Board::new(vec![0; 10]).unwrap_err();
-    assert_eq!(short, ShortMemory { needed: 1_036_800, found: 10 });
-}
-
-#[test]
-fn the_frame_buffer_ends_with_the_screen() {
-    let mut machine = board();
-    let mut bytes = [0; 3];
-    machine.write(1_036_798, &[1, 2, 3]);
-    machine.read(1_036_798, &mut bytes);
-    assert_eq!(bytes, [1, 2, 0xFF]);
-    machine.write(u32::MAX, &[1, 2, 3]);
-    machine.read(u32::MAX, &mut bytes);
-    assert_eq!(bytes, [0xFF; 3]);
-    // A row that leaves the screen on the right does not go on in the next.
-    let mut screen = Cgthree::open(machine);
-    screen.write_row(1150, 0, &[7; 5]);
-    assert_eq!([screen.pr_get(1150, 0), screen.pr_get(1151, 0), screen.pr_get(0, 1)], [Ok(7), Ok(7), Ok(0)]);
-    screen.write_row(0, 900, &[7; 5]);
-    screen.write_row(u32::MAX, u32::MAX, &[7; 5]);
 }

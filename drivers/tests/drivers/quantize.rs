@@ -1,5 +1,4 @@
-//! Colour tables, over all colours of each device.
-#![allow(clippy::indexing_slicing, reason = "a test that indexes out of bounds fails, as it should")]
+//! Colour tables, held against plain searches over the colours of each device.
 
 use std::collections::HashMap;
 
@@ -7,13 +6,13 @@ use rta_core::color::Rgb;
 use rta_drivers::display::expand;
 use rta_drivers::quantize::{Adaptive, BACKGROUND, ColorTable, TableError, Uniform, distance, nearest};
 
-/// Every colour of guns with levels 0, step, 2 step, ... up to `max`.
+/// Every colour whose three levels are multiples of `step` within 0..=`max`.
 fn every(max: u8, step: usize) -> impl Iterator<Item = Rgb<u8>> {
     let levels = move || (0..=max).step_by(step);
     levels().flat_map(move |r| levels().flat_map(move |g| levels().map(move |b| Rgb::new(r, g, b))))
 }
 
-/// Colours in a fixed order without a pattern.
+/// Pseudo-random colours with levels of 0..=`max`: a linear congruential generator with a fixed seed.
 fn scattered(count: usize, max: u8) -> Vec<Rgb<u8>> {
     let mut state = 12345_u32;
     let mut next = move || {
@@ -73,7 +72,7 @@ fn uniform_gives_the_nearest_entry_of_every_color() {
     }
 }
 
-/// The thesis's table, word for word and without any shortcut.
+/// The thesis's colour table in its plainest form: every colour is searched for in all entries.
 struct Plain {
     entries: Vec<Rgb<u8>>,
     colors: usize,
@@ -98,7 +97,7 @@ fn adaptive_agrees_with_the_plain_table() {
     {
         let mut table = Adaptive::new(colors).unwrap().with_tolerance(tolerance);
         let mut plain = Plain { entries: vec![BACKGROUND], colors: colors.into(), tolerance };
-        // Neighbours that repeat, colours that come again, then every colour of the guns.
+        // A sky of repeated neighbours, scattered colours twice over, then an even grid of all colours.
         let scattered = scattered(1500, max);
         let sky = (0..=max).flat_map(|g| [Rgb::new(0, g, max); 3]);
         let all = sky.chain(scattered.iter().copied()).chain(scattered.iter().rev().copied());
@@ -118,7 +117,7 @@ fn adaptive_is_exact_while_there_is_room_and_nearest_after() {
     for levels in scattered(4000, 63) {
         let before = table.entries().to_vec();
         let index = table.index(levels);
-        // Entries are only ever appended, one at most.
+        // Old entries stay as they are; at most one is appended.
         assert_eq!(table.entries()[..before.len()], before);
         if let Some(&old) = seen.get(&levels) {
             assert_eq!(index, old);

@@ -1,5 +1,4 @@
 //! graPHIGS, call by call.
-#![allow(clippy::indexing_slicing, reason = "a test that indexes out of bounds fails, as it should")]
 
 use rta_core::color::Rgb;
 use rta_drivers::display::{Display, DriverError};
@@ -19,18 +18,19 @@ fn open() -> Workstation<Vec<u8>> {
     api
 }
 
-/// The same with a board of 4 x 3 pixels.
+/// graPHIGS and the workstation open, with an image board of 4 x 3 pixels of `depth` bits.
 fn with_board(depth: u32) -> Workstation<Vec<u8>> {
     let mut api = open();
     api.gpcrib(BOARD, NUCLEUS, depth, 4, 3).unwrap();
     api
 }
 
+/// Application data whose highest row comes first.
 fn array<D>(x_size: u32, y_size: u32, data: D) -> PixelArray<D> {
     PixelArray { x_size, y_size, order: PixelOrder::LeftRightTopBottom, data }
 }
 
-/// The board's rows from the top.
+/// Reads the board of 4 x 3 pixels; its highest row comes first.
 fn rows(api: &mut Workstation<Vec<u8>>) -> [[u8; 4]; 3] {
     let mut data = [0; 12];
     api.gprrct(BOARD, (0, 0), (4, 3), array(4, 3, &mut data), (0, 0)).unwrap();
@@ -171,10 +171,10 @@ fn rectangles_are_cut_at_the_board_and_to_its_depth() {
     // 3 x 2 pixels, their lower left at (2, 2): only the lowest row and two columns are on the board.
     api.gpwrct(BOARD, (2, 2), (3, 2), array(3, 2, &data), (0, 0)).unwrap();
     assert_eq!(rows(&mut api), [[0, 0, 4, 5], [0; 4], [0; 4]]);
-    // A part of the data, from its upper right.
+    // One row of two pixels: the middle and the right of the data's upper row.
     api.gpwrct(BOARD, (0, 0), (2, 1), array(3, 2, &data), (1, 1)).unwrap();
     assert_eq!(rows(&mut api), [[0, 0, 4, 5], [0; 4], [2, 3, 0, 0]]);
-    // Rows from the bottom.
+    // The same data with the lowest row first.
     let image = PixelArray { x_size: 3, y_size: 2, order: PixelOrder::LeftRightBottomTop, data: &data[..] };
     api.gpwrct(BOARD, (1, 0), (3, 2), image, (0, 0)).unwrap();
     assert_eq!(rows(&mut api), [[0, 0, 4, 5], [0, 4, 5, 6], [2, 1, 2, 3]]);
@@ -205,7 +205,7 @@ fn rectangles_are_read_from_inside_the_board() {
     let data: Vec<u8> = (1..=12).collect();
     api.gpwrct(BOARD, (0, 0), (4, 3), array(4, 3, &data), (0, 0)).unwrap();
     let mut into = [0; 6];
-    // The target may be left: what leaves it is discarded.
+    // What leaves the application data is discarded.
     api.gprrct(BOARD, (1, 0), (2, 2), array(3, 2, &mut into), (2, 0)).unwrap();
     assert_eq!(into, [0, 0, 6, 0, 0, 10]);
     for (origin, size) in [((0, 0), (5, 1)), ((3, 0), (2, 1)), ((0, 3), (1, 1)), ((u32::MAX, 0), (2, 1))] {

@@ -1,5 +1,4 @@
 //! Mode 13h, register by register.
-#![allow(clippy::indexing_slicing, reason = "a test that indexes out of bounds fails, as it should")]
 
 use rta_core::color::Rgb;
 use rta_drivers::bus::{Memory, Ports, ShortMemory};
@@ -7,19 +6,23 @@ use rta_drivers::display::{Display, ReadBack};
 use rta_drivers::vga13h::emulated::{MEMORY_SIZE, NotMode13h, RETRACE_PERIOD, Vga};
 use rta_drivers::vga13h::{Mode13h, registers as reg};
 
-/// What a driver does to a bus.
+/// One access of a driver to its bus.
 #[derive(Clone, Debug, PartialEq)]
-enum Did {
+enum Access {
+    /// Port and value written.
     Out(u16, u8),
+    /// Port read.
     In(u16),
+    /// Offset in video memory and bytes written.
     Write(u32, Vec<u8>),
+    /// Offset in video memory and number of bytes read.
     Read(u32, usize),
 }
-use Did::{In, Out, Read, Write};
+use Access::{In, Out, Read, Write};
 
-/// Records, and answers FFh.
+/// A bus that records every access; a port reads FFh, and memory that is read is left as it was.
 #[derive(Default)]
-struct Recorder(Vec<Did>);
+struct Recorder(Vec<Access>);
 
 impl Ports for Recorder {
     fn out8(&mut self, port: u16, value: u8) {
@@ -46,9 +49,9 @@ fn vga() -> Vga<Vec<u8>> {
 
 #[test]
 fn programming_the_mode_is_this_sequence() {
-    let mut did = Mode13h::program(Recorder::default()).release().0;
+    let mut accesses = Mode13h::program(Recorder::default()).release().0;
     let mut wanted = vec![Out(0x3C2, 0x63)];
-    let indexed = |wanted: &mut Vec<Did>, port: u16, values: &str| {
+    let indexed = |wanted: &mut Vec<Access>, port: u16, values: &str| {
         for (index, value) in (0..).zip(values.split(' ')) {
             wanted.extend([Out(port, index), Out(port + 1, u8::from_str_radix(value, 16).unwrap())]);
         }
@@ -64,8 +67,8 @@ fn programming_the_mode_is_this_sequence() {
         wanted.extend([In(0x3DA), Out(0x3C0, index), Out(0x3C0, value)]);
     }
     wanted.extend([In(0x3DA), Out(0x3C0, 0x20), Out(0x3C6, 0xFF)]);
-    let cleared = did.split_off(wanted.len());
-    assert_eq!(did, wanted);
+    let cleared = accesses.split_off(wanted.len());
+    assert_eq!(accesses, wanted);
     let mut end = 0;
     for piece in cleared {
         let Write(offset, bytes) = piece else { panic!("{piece:?} while clearing") };
@@ -106,18 +109,18 @@ fn after_the_bios_only_what_an_mcga_shares_is_touched() {
 
 #[test]
 fn the_retrace_is_waited_for_but_not_for_ever() {
-    // The recorder's retrace bit is always set: a beginning is never seen.
+    // The recorder's retrace bit is always set, so the beginning of a retrace is never seen.
     let mut mode = Mode13h::after_bios(Recorder::default()).with_retrace_wait(5);
     mode.set_colors(0, &[]).unwrap();
-    let did = mode.release().0;
-    assert_eq!(did[1..], [In(0x3DA), In(0x3DA), In(0x3DA), In(0x3DA), In(0x3DA), Out(0x3C8, 0)]);
+    let accesses = mode.release().0;
+    assert_eq!(accesses[1..], [In(0x3DA), In(0x3DA), In(0x3DA), In(0x3DA), In(0x3DA), Out(0x3C8, 0)]);
 
     let mut mode = Mode13h::program(vga());
     assert!(mode.wait_retrace(RETRACE_PERIOD.into()) || mode.wait_retrace(RETRACE_PERIOD.into()));
     assert!(!mode.wait_retrace(u32::from(RETRACE_PERIOD) - 1));
     assert!(mode.wait_retrace(2 * u32::from(RETRACE_PERIOD)));
     assert!(!mode.wait_retrace(0));
-    // Status bits: 0 while displaying, 9 in the retrace, once in a period.
+    // The status register reads 00h while pixels are displayed and 09h in the retrace, once in a period.
     let mut machine = mode.release();
     let seen: Vec<u8> = (0..3 * RETRACE_PERIOD).map(|_| machine.in8(0x3DA)).collect();
     assert_eq!(seen.iter().filter(|&&s| s == 0x09).count(), 3);
@@ -133,7 +136,7 @@ fn a_monitor_names_the_register_that_is_wrong() {
     by_bios.bios_mode_13h();
     assert!(by_bios.monitor().is_ok());
 
-    // Spoil each indexed register in turn.
+    // Each indexed register in turn gets a wrong value.
     for (port, count) in [(reg::SEQUENCER, 5), (reg::CRTC, 25), (reg::GRAPHICS, 9)] {
         for index in 0..count {
             let mut spoilt = programmed.clone();
@@ -182,7 +185,7 @@ fn the_dac_counts_latches_and_masks() {
     let read: Vec<u8> = (0..9).map(|_| machine.in8(0x3C9)).collect();
     assert_eq!(read, [1, 2, 3, 63, 63, 0, 7, 8, 9]);
 
-    // Two writes change nothing; an index starts the sequence anew.
+    // Red and green without blue change nothing; writing an index starts the sequence anew.
     machine.out8(0x3C8, 10);
     machine.out8(0x3C9, 50);
     machine.out8(0x3C9, 51);
@@ -217,7 +220,9 @@ fn the_pel_mask_is_applied_on_the_way_to_the_screen() {
 fn the_attribute_flip_flop_and_its_lock() {
     let mut machine = vga();
     machine.out8(0x3C0, 0x03);
-    machine.in8(0x3DA); // not there yet: the status register is at 3BAh, so the next write is data
+    // Bit 0 of the miscellaneous output is still 0, so the status register is at 3BAh; reading 3DAh does not
+    // reset the flip-flop and the next write is data.
+    machine.in8(0x3DA);
     machine.out8(0x3C0, 0x09);
     assert_eq!((machine.in8(0x3C0), machine.in8(0x3C1)), (0x03, 0x09));
     machine.out8(0x3C2, 0x63);
@@ -225,18 +230,18 @@ fn the_attribute_flip_flop_and_its_lock() {
     machine.out8(0x3C0, 0x2A); // data
     machine.out8(0x3C0, 0x04); // index again
     assert_eq!((machine.in8(0x3C0), machine.in8(0x3C1)), (0x04, 0));
-    machine.in8(0x3DA); // back to index: the next write is no data for 4
+    machine.in8(0x3DA); // resets the flip-flop: the next write is an index, not the data of register 4
     machine.out8(0x3C0, 0x03);
     assert_eq!((machine.in8(0x3C0), machine.in8(0x3C1)), (0x03, 0x2A));
     machine.in8(0x3DA);
     machine.out8(0x3C0, 0x23); // the palette goes to the screen and is locked
     machine.out8(0x3C0, 0x15);
     assert_eq!(machine.in8(0x3C1), 0x2A);
-    machine.out8(0x3C0, 0x31); // the border is not
+    machine.out8(0x3C0, 0x31); // the border's colour, register 11h, is never locked
     machine.out8(0x3C0, 0x15);
     assert_eq!(machine.in8(0x3C1), 0x15);
     machine.out8(0x3C0, 0x03);
-    machine.out8(0x3C0, 0xFF); // six bits
+    machine.out8(0x3C0, 0xFF); // a palette register has six bits
     assert_eq!(machine.in8(0x3C1), 0x3F);
     machine.out8(0x3C0, 0x1F); // no such register
     machine.out8(0x3C0, 0x01);
@@ -266,7 +271,7 @@ fn the_crtc_is_write_protected() {
     assert_eq!(write(&mut machine, 0x11, 0x00), 0x00);
     assert_eq!(write(&mut machine, 7, 0xEF), 0xEF);
     assert_eq!(write(&mut machine, 0x19, 1), 0xFF, "no such register");
-    // A driver that programs a machine that is already locked gets through.
+    // The driver unlocks the registers before it programs them.
     write(&mut machine, 0x11, 0x80);
     assert!(Mode13h::program(machine).bus().monitor().is_ok());
 }
@@ -287,7 +292,7 @@ fn the_window_is_there_when_the_registers_open_it() {
     machine.write(u32::MAX, &[1, 2]);
     machine.read(u32::MAX, &mut bytes);
     assert_eq!(bytes, [0xFF; 4]);
-    // The map mask keeps planes from being written; chained, plane = address mod 4.
+    // The map mask keeps planes from being written; with chain 4 the plane is the address mod 4.
     machine.out8(0x3C4, 2);
     machine.out8(0x3C5, 0x05);
     machine.write(1, &[9; 4]);

@@ -1,5 +1,4 @@
-//! What every display of this crate must do, whatever is behind it.
-#![allow(clippy::indexing_slicing, reason = "a test that indexes out of bounds fails, as it should")]
+//! What every display of this crate must do, whichever device is behind it.
 
 use rta_core::color::Rgb;
 use rta_drivers::display::{DriverError, ReadBack};
@@ -23,13 +22,15 @@ fn pixrect() -> PixrectDisplay<Cgthree<Board<Vec<u8>>>> {
     PixrectDisplay::new(Cgthree::open(board)).unwrap()
 }
 
-/// A colour of its own for every index, black for 0.
+/// A colour of levels 0..=`max` for each entry of a table: black for entry 0, different ones for entries
+/// close together.
 fn color(index: u16, max: u8) -> Rgb<u8> {
     let part = |n: u16| u8::try_from(n % (u16::from(max) + 1)).unwrap();
     Rgb::new(part(index), part(index / 2), part(index / 7))
 }
 
-/// Loads the whole table in uneven pieces, draws the four corners, and reads all of it back.
+/// Loads the whole table in pieces of different lengths, draws the four corners and one row, and reads all of
+/// it back.
 fn holds_what_it_is_given<D: ReadBack>(mut display: D) {
     let has = display.capabilities();
     let table: Vec<_> = (0..has.colors).map(|i| color(i, has.gun_max)).collect();
@@ -45,7 +46,7 @@ fn holds_what_it_is_given<D: ReadBack>(mut display: D) {
     let mut read = vec![Rgb::new(0, 0, 0); table.len()];
     display.read_colors(0, &mut read).unwrap();
     assert_eq!(read, table);
-    // One entry more on its own: its neighbours stay.
+    // A single entry is loaded without changing its neighbours.
     display.set_colors(5, &[color(9, has.gun_max)]).unwrap();
     display.read_colors(4, &mut read[..3]).unwrap();
     assert_eq!(read[..3], [table[4], table[9], table[6]]);
@@ -72,7 +73,8 @@ fn holds_what_it_is_given<D: ReadBack>(mut display: D) {
     assert_eq!(back[..2], [row[row.len() - 2], 1]);
 }
 
-/// Refuses all that leaves the screen, the table or the guns, and changes nothing then.
+/// Pixels outside the screen, entries beyond the table and levels beyond the guns are refused, and a refused
+/// call changes nothing.
 fn refuses_what_leaves_it<D, E>(mut display: D)
 where
     D: ReadBack<Error = DriverError<E>>,
@@ -147,13 +149,14 @@ fn every_display_refuses_what_leaves_it() {
     refuses_what_leaves_it(pixrect());
 }
 
-/// A slanted rainbow with more colours than any table has.
+/// The pixel at (`x`, `y`) of a picture with more colours than any table has, levels 0..=`max`.
 fn rainbow(x: u32, y: u32, max: u8) -> Rgb<u8> {
     let part = |n: u32| u8::try_from(n % (u32::from(max) + 1)).unwrap();
     Rgb::new(part(x / 3 + y), part(x / 5), part(y / 2))
 }
 
-/// Paints with a table, then holds every pixel on the device against the table.
+/// Paints `width` x `height` pixels of the rainbow, then checks that the device holds the table's entries and
+/// that each pixel has the index of its colour. Returns the display.
 fn paints<D: ReadBack>(display: D, table: impl ColorTable, width: u32, height: u32) -> D {
     let has = display.capabilities();
     let mut painter = Painter::new(display, table).unwrap();
@@ -172,7 +175,7 @@ fn paints<D: ReadBack>(display: D, table: impl ColorTable, width: u32, height: u
         for (x, &index) in (0..).zip(&row) {
             let levels = rainbow(x, y, has.gun_max);
             let got = entries[usize::from(index)];
-            // Exactly the colour, or (the table being full) what the table now says.
+            // Either the exact colour or, once the table was full, the entry that stands for it.
             assert!(got == levels || table.index(levels) == index, "at ({x}, {y})");
         }
     }
@@ -210,7 +213,7 @@ fn a_monitor_shows_what_was_painted() {
 
 #[test]
 fn the_painter_refuses_with_the_display() {
-    // A table larger than the display's.
+    // A table with more entries than the display's.
     assert!(Painter::new(graphigs(), Uniform::new(256, 15).unwrap()).is_err());
     let mut painter = Painter::new(vga(), Adaptive::new(256).unwrap()).unwrap();
     assert!(painter.put_row(0, 0, vec![Rgb::new(1, 1, 1); 321]).is_err());
