@@ -1,8 +1,7 @@
 //! VGA mode 13h (IBM PS/2): 320 x 200, one byte a pixel at A0000h, 256 colours of 262,144.
 //!
-//! [`Mode13h`] is the driver, [`emulated::Vga`] the register file of a VGA to run it on where there is no
-//! real one. Register names and numbers are those of IBM's "PS/2 Hardware Interface Technical Reference,
-//! Video Subsystem".
+//! [`Mode13h`] is the driver; [`emulated::Vga`] is an emulated VGA to run it on where there is no real one.
+//! Register names and numbers are those of IBM's "PS/2 Hardware Interface Technical Reference, Video Subsystem".
 
 pub mod emulated;
 pub mod registers;
@@ -15,7 +14,7 @@ use crate::bus::{Memory, Ports};
 use crate::display::{Capabilities, Display, DriverError, ReadBack};
 use registers as reg;
 
-/// 320 x 200 on a screen of 4:3, 256 colours, 6 bits a gun.
+/// What the screen can show: 320 x 200 pixels on a screen of 4:3, 256 colours, 6 bits a gun.
 pub const CAPABILITIES: Capabilities =
     Capabilities { width: 320, height: 200, colors: 256, gun_max: 63, aspect: (4, 3) };
 
@@ -27,15 +26,18 @@ pub const CAPABILITIES: Capabilities =
 #[derive(Clone, Debug)]
 pub struct Mode13h<B> {
     bus: B,
+    /// Reads of 3DAh that a load of the DAC may spend on waiting for the vertical retrace.
     retrace_polls: u32,
 }
 
 impl<B: Ports + Memory> Mode13h<B> {
-    /// Sets mode 13h by the registers alone and clears the memory, as the BIOS would. VGA only.
+    /// Sets mode 13h by writing every register of a VGA, without a BIOS, and clears the memory as the BIOS would. An
+    /// MCGA has other registers and needs [`Mode13h::after_bios`].
     pub fn program(mut bus: B) -> Self {
         bus.out8(reg::MISC_WRITE, reg::MISC);
         load(&mut bus, reg::SEQUENCER, &reg::SEQUENCER_VALUES);
-        // Bit 7 of CRTC register 11h write-protects 0..=7; the table sets it again at the end.
+        // Bit 7 of CRTC register 11h write-protects registers 0 to 7, which come first in the table; the table
+        // sets the bit again.
         bus.out8(reg::CRTC, reg::CRTC_PROTECT_INDEX);
         let protect = bus.in8(reg::CRTC + 1);
         bus.out8(reg::CRTC + 1, protect & !reg::CRTC_PROTECT);
@@ -56,23 +58,25 @@ impl<B: Ports + Memory> Mode13h<B> {
         mode
     }
 
-    /// Takes over after the BIOS has set the mode (int 10h, AX = 0013h): opens the pel mask, no more.
+    /// Takes over after the BIOS has set the mode (int 10h, AX = 0013h). Only the pel mask is written, so that all
+    /// eight bits of a pixel reach the DAC.
     pub fn after_bios(mut bus: B) -> Self {
         bus.out8(reg::PEL_MASK, 0xFF);
         Self { bus, retrace_polls: 0 }
     }
 
-    /// Before each load of the DAC, waits for the vertical retrace by at most `polls` reads of 3DAh; 0,
-    /// the default, never waits. The DAC of an early VGA shows snow when it is written while it displays;
-    /// if no retrace is seen the colours are loaded all the same.
+    /// Lets each load of the DAC wait for the vertical retrace, for at most `polls` reads of 3DAh; 0, the default,
+    /// never waits. The DAC of an early VGA shows snow when it is written while it displays. If no retrace begins
+    /// within `polls` reads the colours are loaded all the same.
     #[must_use]
     pub fn with_retrace_wait(mut self, polls: u32) -> Self {
         self.retrace_polls = polls;
         self
     }
 
-    /// Waits until a vertical retrace begins, by at most `polls` reads of 3DAh. Tells whether it saw one.
+    /// Waits until a vertical retrace begins, for at most `polls` reads of 3DAh. Returns whether one began.
     pub fn wait_retrace(&mut self, polls: u32) -> bool {
+        // A retrace that is under way at the first read may be about to end, so it does not count.
         let mut was = true;
         for _ in 0..polls {
             let is = self.bus.in8(reg::INPUT_STATUS_1) & reg::VERTICAL_RETRACE != 0;
@@ -84,7 +88,7 @@ impl<B: Ports + Memory> Mode13h<B> {
         false
     }
 
-    /// The bus, to look at what is behind it.
+    /// Borrows the bus, for example to plug a monitor into an emulated VGA.
     pub fn bus(&self) -> &B {
         &self.bus
     }
@@ -95,7 +99,7 @@ impl<B: Ports + Memory> Mode13h<B> {
     }
 }
 
-/// Writes a table of indexed registers: index to `port`, value to the port after it.
+/// Writes indexed registers from 0 up: for each, the index to `port` and the value to the port after it.
 fn load(bus: &mut impl Ports, port: u16, values: &[u8]) {
     for (index, &value) in (0..).zip(values) {
         bus.out8(port, index);
@@ -103,7 +107,7 @@ fn load(bus: &mut impl Ports, port: u16, values: &[u8]) {
     }
 }
 
-/// Offset of a pixel in the window. (x, y) is on the screen, so it is below 64000.
+/// Returns the offset of a pixel from A0000h. The pixel must be on the screen, so the offset is below 64000.
 fn offset(x: u32, y: u32) -> u32 {
     y * CAPABILITIES.width + x
 }
@@ -120,7 +124,7 @@ impl<B: Ports + Memory> Display for Mode13h<B> {
         if self.retrace_polls > 0 {
             self.wait_retrace(self.retrace_polls);
         }
-        // The index advances by itself after every third write.
+        // The DAC advances the index by itself after every third write.
         self.bus.out8(reg::DAC_WRITE_INDEX, first);
         for color in colors {
             self.bus.out8(reg::DAC_DATA, color.r);

@@ -1,38 +1,39 @@
 //! The Sun cgthree frame buffer: the pixrect of a SPARCstation's screen.
 //!
-//! Sources: Brooktree, "Bt458 RAMDAC" data sheet (registers, address auto-increment); the SBus cgthree's
-//! registers as its drivers in the BSDs and Linux know them: the colormap is written a word at a time, four
-//! entries in three words.
+//! Sources: Brooktree, "Bt458 RAMDAC" data sheet (registers, address auto-increment); for the board, the cgthree
+//! drivers of the BSDs and Linux, which write the colormap a word at a time, four entries in three words.
 
 use rta_core::color::Rgb;
 
-use super::{CAPABILITIES, Pixrect, PixrectError, check_colormap, split_guns};
+use super::colormap::{check_colormap, split_guns};
+use super::{CAPABILITIES, Pixrect, PixrectError};
 use crate::bus::{Memory, Registers};
 
-/// Offsets and values of the board's registers.
+/// Offsets, in bytes from the board's first register, and values of the registers of a cgthree.
 pub mod registers {
-    /// Bt458 address register: an entry of the colormap (as a word) or a control register (as a byte).
+    /// Bt458 address register: the entry of the colormap or the control register that is accessed next. The driver
+    /// writes an entry as a word and a control register as a byte.
     pub const BT458_ADDRESS: u32 = 0x00;
-    /// Bt458 colormap: red, green, blue in turn, packed in words from the most significant byte; the
-    /// address advances after blue.
+    /// Bt458 colormap: takes red, green and blue in turn, 0..=255 each, packed in words from the most significant
+    /// byte; the address advances after blue.
     pub const BT458_COLORMAP: u32 = 0x04;
-    /// The Bt458 control register that the address names.
+    /// The Bt458 control register whose number is in the address register.
     pub const BT458_CONTROL: u32 = 0x08;
-    /// Control register of the frame buffer.
+    /// Control register of the board, outside the Bt458.
     pub const CONTROL: u32 = 0x10;
-    /// Bit of [`CONTROL`]: video is on.
+    /// Bit 6 of [`CONTROL`], video enable: the screen is on.
     pub const VIDEO_ENABLE: u8 = 0x40;
 
-    /// Bt458 register 4, read mask: ANDed with every pixel.
+    /// Bt458 register 4, read mask: it is ANDed with every pixel on the way to the colormap.
     pub const READ_MASK: u8 = 4;
-    /// Bt458 register 5, blink mask: planes that blink.
+    /// Bt458 register 5, blink mask: the planes whose bit is 1 blink.
     pub const BLINK_MASK: u8 = 5;
-    /// Bt458 register 6, command.
+    /// Bt458 register 6, command register.
     pub const COMMAND: u8 = 6;
-    /// Bit of [`COMMAND`]: pixels go through the colormap, not to overlay colour 0. The other bits 0 mean
-    /// 4:1 multiplexing and no overlays.
+    /// Bit 6 of [`COMMAND`], RAM enable: pixels go through the colormap; otherwise overlay colour 0 is shown. With
+    /// all other bits 0 the pixels are multiplexed 4:1 and there are no overlays.
     pub const RAM_ENABLE: u8 = 0x40;
-    /// Bt458 register 7, test.
+    /// Bt458 register 7, test register: 0 in normal use.
     pub const TEST: u8 = 7;
 }
 
@@ -41,8 +42,9 @@ use registers as reg;
 /// Driver of a cgthree of 1152 x 900 over a bus that has its registers (offset 0 = 50400000h on a
 /// SPARCstation 5) and its frame buffer (offset 0 = 50800000h).
 ///
-/// The board's colormap is loaded in groups of four entries, so the driver keeps a copy of it (768 bytes),
-/// which is also what [`Pixrect::pr_getcolormap`] reads, as boards differ in what they answer.
+/// The board's colormap is loaded in groups of four entries, so the driver keeps a copy of it (768 bytes) to fill
+/// up a group. [`Pixrect::pr_getcolormap`] reads this copy too, because boards differ in what they answer when their
+/// colormap is read.
 #[derive(Clone, Debug)]
 pub struct Cgthree<B> {
     bus: B,
@@ -51,8 +53,7 @@ pub struct Cgthree<B> {
 }
 
 impl<B: Registers + Memory> Cgthree<B> {
-    /// Sets up the Bt458, loads a black colormap and switches the video on. The frame buffer is left as it
-    /// is.
+    /// Sets up the Bt458, loads a black colormap and switches the video on. The frame buffer is left as it is.
     pub fn open(bus: B) -> Self {
         let mut board = Self { bus, colormap: [Rgb::new(0, 0, 0); 256], planes: 0xFF };
         let setup =
@@ -67,7 +68,7 @@ impl<B: Registers + Memory> Cgthree<B> {
         board
     }
 
-    /// The bus, to look at what is behind it.
+    /// Borrows the bus, for example to plug a monitor into an emulated board.
     pub fn bus(&self) -> &B {
         &self.bus
     }
@@ -77,7 +78,7 @@ impl<B: Registers + Memory> Cgthree<B> {
         self.bus
     }
 
-    /// Loads the groups of four that have entries `first..end`.
+    /// Loads the entries `first..end` from the copy, and those that share a group of four with them.
     fn load(&mut self, first: usize, end: usize) {
         let aligned = first & !3;
         let entries = self.colormap.get(aligned..end.next_multiple_of(4)).unwrap_or(&[]);
@@ -93,7 +94,8 @@ impl<B: Registers + Memory> Cgthree<B> {
     }
 }
 
-/// Offset of a pixel in the frame buffer and how many of `len` pixels from there are on the screen.
+/// Returns the offset of a pixel in the frame buffer and how many of the `len` pixels from there to the right are on
+/// the screen.
 fn span(x: u32, y: u32, len: usize) -> (u32, usize) {
     if x >= CAPABILITIES.width || y >= CAPABILITIES.height {
         return (0, 0);
@@ -115,7 +117,7 @@ impl<B: Registers + Memory> Pixrect for Cgthree<B> {
         self.planes
     }
 
-    /// The board has no plane mask: operations read what they must not change.
+    /// Sets the plane mask. The board has none, so operations read the pixels whose planes they must keep.
     fn pr_putattributes(&mut self, planes: u8) {
         self.planes = planes;
     }

@@ -1,11 +1,14 @@
-//! The driver: a display on top of any pixrect of depth 8.
+//! The driver of PIXRECT: a [`Display`] on top of any pixrect of depth 8.
 
 use rta_core::color::Rgb;
 
-use super::{CAPABILITIES, CHUNK, MemPixrect, PIX_DONTCLIP, PIX_SRC, Pixrect, PixrectError, Rect};
+use super::colormap::split_guns;
+use super::rop::CHUNK;
+use super::{CAPABILITIES, MemPixrect, PIX_DONTCLIP, PIX_SRC, Pixrect, PixrectError, Rect};
 use crate::display::{Capabilities, Display, DriverError, ReadBack};
 
-/// Draws on a pixrect: colours become pr_putcolormap, rows pr_rop from a memory pixrect.
+/// Draws on a pixrect: loads colours with [`Pixrect::pr_putcolormap`] and copies rows from a pixrect in memory with
+/// [`Pixrect::pr_rop`].
 #[derive(Clone, Debug)]
 pub struct PixrectDisplay<P> {
     pixrect: P,
@@ -15,7 +18,7 @@ impl<P: Pixrect> PixrectDisplay<P> {
     /// Takes a pixrect of depth 8 that has a colormap.
     ///
     /// # Errors
-    /// [`PixrectError::Depth`], [`PixrectError::NoColormap`].
+    /// [`PixrectError::Depth`] for another depth, [`PixrectError::NoColormap`] for a pixrect without a colormap.
     pub fn new(mut pixrect: P) -> Result<Self, PixrectError> {
         if pixrect.depth() != 8 {
             return Err(PixrectError::Depth);
@@ -24,7 +27,7 @@ impl<P: Pixrect> PixrectDisplay<P> {
         Ok(Self { pixrect })
     }
 
-    /// The pixrect.
+    /// Borrows the pixrect, for example to look at what is behind it.
     pub fn pixrect(&self) -> &P {
         &self.pixrect
     }
@@ -35,7 +38,7 @@ impl<P: Pixrect> PixrectDisplay<P> {
     }
 }
 
-/// A pixrect's coordinate. Sides of a pixrect are at most `i32::MAX` and (x, y) is inside.
+/// Converts a coordinate or a width. Sides of a pixrect are at most `i32::MAX`, so what is inside fits.
 fn coordinate(x: u32) -> i32 {
     i32::try_from(x).unwrap_or(i32::MAX)
 }
@@ -43,7 +46,8 @@ fn coordinate(x: u32) -> i32 {
 impl<P: Pixrect> Display for PixrectDisplay<P> {
     type Error = DriverError<PixrectError>;
 
-    /// Pixels are square: the shape of the screen is that of the raster.
+    /// Returns the size of the pixrect, its colours and its shape; pixels are square, so the shape of the screen is
+    /// that of the raster.
     fn capabilities(&self) -> Capabilities {
         let (width, height) = self.pixrect.size();
         Capabilities { width, height, aspect: (width, height), ..CAPABILITIES }
@@ -55,7 +59,7 @@ impl<P: Pixrect> Display for PixrectDisplay<P> {
         for chunk in colors.chunks(CHUNK as usize) {
             let mut guns = [[0; CHUNK as usize]; 3];
             let [red, green, blue] = &mut guns;
-            super::split_guns(chunk, red, green, blue);
+            split_guns(chunk, red, green, blue);
             let [red, green, blue] = guns.each_ref().map(|gun| gun.get(..chunk.len()).unwrap_or(gun));
             self.pixrect.pr_putcolormap(index, red, green, blue)?;
             index += chunk.len();

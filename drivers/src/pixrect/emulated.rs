@@ -1,8 +1,9 @@
 //! An emulated cgthree: the Bt458 as a state machine, the frame buffer, and what a monitor would show.
 //!
-//! Obeyed are the address register and its auto-increment, the red-green-blue sequence in bytes and in
-//! words, read mask and RAM enable of the Bt458, and the board's video enable. Kept but not shown: blinking
-//! and overlays. The colormap is not read back (it reads 0, as QEMU's board does).
+//! These work as on the board: the address register and its auto-increment, the sequence of red, green and blue in
+//! bytes and in words, the read mask and the RAM enable of the Bt458, and the board's video enable. The registers
+//! for blinking, overlays and tests keep what is written to them and have no effect. The colormap cannot be read
+//! back: it reads 0, as on QEMU's board.
 
 use core::fmt;
 
@@ -15,24 +16,24 @@ use crate::bus::{Memory, Registers, ShortMemory, read_clipped, write_clipped};
 /// Bytes of the frame buffer that are shown: 1152 x 900.
 pub const MEMORY_SIZE: usize = 1152 * 900;
 
-/// An emulated cgthree with lent memory for its frame buffer. Takes about 800 bytes besides.
+/// An emulated cgthree whose frame buffer is memory that the caller lends; it takes 800 bytes at most itself.
 #[derive(Clone, Debug)]
 pub struct Board<M> {
     memory: M,
     colormap: [Rgb<u8>; 256],
     address: u8,
-    /// Which of red, green and blue is next: 0, 1, 2.
+    /// The gun whose level is expected next: 0 for red, 1 for green, 2 for blue.
     gun: u8,
-    /// Red and green wait here for blue.
+    /// Levels received so far; the colormap takes all three together when blue arrives.
     latch: Rgb<u8>,
-    /// Bt458 registers 4 to 7.
+    /// Bt458 registers 4 to 7: read mask, blink mask, command, test.
     bt458: [u8; 4],
-    /// Registers 10h to 1Fh of the board.
+    /// The board's registers at offsets 10h to 1Fh; the first is the control register.
     control: [u8; 16],
 }
 
 impl<M: AsRef<[u8]> + AsMut<[u8]>> Board<M> {
-    /// A board after reset: video off, registers 0, `memory` as it is.
+    /// Makes a board after reset: the video is off, registers and colormap are 0, `memory` is left as it is.
     ///
     /// # Errors
     /// [`ShortMemory`] if `memory` has less than [`MEMORY_SIZE`] bytes.
@@ -52,10 +53,10 @@ impl<M: AsRef<[u8]> + AsMut<[u8]>> Board<M> {
         })
     }
 
-    /// Plugs a monitor in.
+    /// Plugs a monitor in, which shows what the frame buffer and the colormap hold now.
     ///
     /// # Errors
-    /// [`Blank`] if video or the colormap is off.
+    /// [`Blank`] if the video or the colormap is switched off.
     pub fn monitor(&self) -> Result<Monitor<'_>, Blank> {
         let [video, ..] = self.control;
         let [read_mask, _, command, _] = self.bt458;
@@ -68,6 +69,7 @@ impl<M: AsRef<[u8]> + AsMut<[u8]>> Board<M> {
         Ok(Monitor { memory: self.memory.as_ref(), colormap: &self.colormap, read_mask })
     }
 
+    /// One byte written to the colormap: the level of the gun that is next.
     fn write_colormap(&mut self, value: u8) {
         match self.gun {
             0 => self.latch.r = value,
@@ -83,6 +85,8 @@ impl<M: AsRef<[u8]> + AsMut<[u8]>> Board<M> {
         self.gun = (self.gun + 1) % 3;
     }
 
+    /// The register that keeps what is written at `offset`; for the Bt458's controls, the one that the address
+    /// names.
     fn register(&mut self, offset: u32) -> Option<&mut u8> {
         match offset {
             reg::BT458_CONTROL => self.bt458.get_mut(usize::from(self.address.checked_sub(4)?)),
@@ -114,7 +118,7 @@ impl<M: AsRef<[u8]> + AsMut<[u8]>> Registers for Board<M> {
     fn write32(&mut self, offset: u32, value: u32) {
         match offset {
             reg::BT458_COLORMAP => value.to_be_bytes().into_iter().for_each(|byte| self.write_colormap(byte)),
-            // The address is the low byte of its word.
+            // A byte-wide register takes the low byte of the word.
             _ => self.write8(offset, value.to_le_bytes()[0]),
         }
     }
@@ -130,7 +134,7 @@ impl<M: AsRef<[u8]> + AsMut<[u8]>> Memory for Board<M> {
     }
 }
 
-/// A monitor on an emulated cgthree whose video is on.
+/// A monitor plugged into an emulated cgthree whose video is on.
 #[derive(Clone, Copy, Debug)]
 pub struct Monitor<'a> {
     memory: &'a [u8],
@@ -139,7 +143,8 @@ pub struct Monitor<'a> {
 }
 
 impl Monitor<'_> {
-    /// What the guns show at a pixel, 0..=255 each. `None` outside the screen.
+    /// Returns the levels of the guns, 0..=255 each, at the pixel in column `x` and row `y` from the upper left;
+    /// `None` outside the screen.
     pub fn pixel(&self, x: u32, y: u32) -> Option<Rgb<u8>> {
         CAPABILITIES.check_pixels::<()>(x, y, 1).ok()?;
         let index = self.memory.get(usize::try_from(y * CAPABILITIES.width + x).ok()?)?;
@@ -147,11 +152,11 @@ impl Monitor<'_> {
     }
 }
 
-/// Why the screen is blank.
+/// Why the screen of an emulated cgthree is blank.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Blank {
-    /// Video enable, bit 6 of register 10h, is 0.
+    /// Video enable, bit 6 of the board's control register at 10h, is 0.
     VideoOff,
     /// RAM enable, bit 6 of the Bt458's command register, is 0.
     RamOff,

@@ -1,11 +1,11 @@
-//! Memory pixrects: mem_create and mem_point over lent memory.
+//! Pixrects in memory that the caller lends: mem_point and mem_create of the manual.
 
 use super::{Pixrect, PixrectError};
 
 /// A pixrect in memory, 1 or 8 bits deep, without a colormap.
 ///
-/// Rows follow each other from the top. In a depth of 1 the leftmost pixel is the most significant bit of a
-/// byte and every row begins at a multiple of 16 bits, as in SunOS; rows of depth 8 do too.
+/// Rows follow each other from the top, and each begins at a multiple of 16 bits, as in SunOS. In a depth of 1 the
+/// leftmost of eight pixels is the most significant bit of a byte.
 #[derive(Clone, Debug)]
 pub struct MemPixrect<M> {
     memory: M,
@@ -15,13 +15,13 @@ pub struct MemPixrect<M> {
     planes: u8,
 }
 
-/// Bytes of a row, a multiple of 2.
+/// Bytes of a row of `width` pixels of `depth` bits, padded to a multiple of 2.
 fn line_bytes(width: u32, depth: u8) -> u64 {
     (u64::from(width) * u64::from(depth)).div_ceil(16) * 2
 }
 
 impl<M: AsRef<[u8]> + AsMut<[u8]>> MemPixrect<M> {
-    /// A pixrect of the memory as it is (mem_point).
+    /// Makes a pixrect whose pixels are what `memory` holds (mem_point).
     ///
     /// # Errors
     /// [`PixrectError::Depth`] unless `depth` is 1 or 8; [`PixrectError::Memory`] if `memory` is too small
@@ -38,7 +38,7 @@ impl<M: AsRef<[u8]> + AsMut<[u8]>> MemPixrect<M> {
         Ok(Self { memory, width, height, depth, planes: 0xFF })
     }
 
-    /// Offsets of the row's first byte and of the byte after its last.
+    /// The bytes of row `y` in memory; none if the pixrect has no such row.
     fn row(&self, y: u32) -> core::ops::Range<usize> {
         let bytes = line_bytes(self.width, self.depth);
         let start = usize::try_from(bytes.saturating_mul(y.into())).unwrap_or(usize::MAX);
@@ -47,7 +47,7 @@ impl<M: AsRef<[u8]> + AsMut<[u8]>> MemPixrect<M> {
     }
 }
 
-/// The columns of a row from `x` on.
+/// The columns from `x` to the right edge.
 fn columns(x: u32, width: u32) -> impl Iterator<Item = usize> {
     (x..width).map(|x| usize::try_from(x).unwrap_or(usize::MAX))
 }

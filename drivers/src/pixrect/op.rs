@@ -1,12 +1,12 @@
-//! The operation of a raster operation: a boolean function, a colour and a flag in one word.
+//! The operation word of a raster operation: a boolean function, a colour and a flag.
 
 use core::ops::{BitAnd, BitOr, BitXor, Not};
 
-/// A raster operation, encoded as in `<pixrect/pixrect.h>`: bit 0 is [`PIX_DONTCLIP`], bits 1 to 4 the
-/// truth table of the function, bits 5 and up the colour (PIX_COLOR).
+/// A raster operation, encoded as in `<pixrect/pixrect.h>`: bit 0 is [`PIX_DONTCLIP`], bits 1 to 4 are the
+/// truth table of the function, bits 5 to 12 the colour (PIX_COLOR).
 ///
-/// The codes of source and destination are their own truth tables, so functions are written as the
-/// expressions they are:
+/// [`PIX_SRC`] and [`PIX_DST`] hold the truth tables of "source" and "destination", so any function of the two is
+/// written as an expression of them:
 ///
 /// ```
 /// use rta_drivers::pixrect::{PIX_DST, PIX_SRC};
@@ -17,43 +17,45 @@ use core::ops::{BitAnd, BitOr, BitXor, Not};
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct PixOp(u16);
 
-/// The source.
+/// The function that returns the source.
 pub const PIX_SRC: PixOp = PixOp(0xC << 1);
-/// The destination.
+/// The function that returns the destination.
 pub const PIX_DST: PixOp = PixOp(0xA << 1);
-/// All bits 0.
+/// The function that clears all bits.
 pub const PIX_CLR: PixOp = PixOp(0x0 << 1);
-/// All bits 1.
+/// The function that sets all bits.
 pub const PIX_SET: PixOp = PixOp(0xF << 1);
-/// To be ORed in: the rectangle is known to be inside. If it is not, the operation is an error here and not
-/// undefined.
+/// The flag that says that the rectangle is known to be inside, to be ORed with a function. If the rectangle is not
+/// inside, the manual leaves the result open; here the operation is refused.
 pub const PIX_DONTCLIP: PixOp = PixOp(1);
 
+/// The bits of the word that hold the function.
 const OPMASK: u16 = 0x1E;
 
 impl PixOp {
-    /// The operation with a colour (PIX_COLOR), used for a null source or where a source of depth 1 has a 1.
+    /// Returns the operation with a colour (PIX_COLOR), which is used for a null source and where a source of depth 1
+    /// has a 1.
     #[must_use]
     pub const fn with_color(self, color: u8) -> Self {
         Self(self.0 & 0x1F | (color as u16) << 5)
     }
 
-    /// The colour (PIX_OPCOLOR).
+    /// Returns the colour (PIX_OPCOLOR); 0 where none was set.
     pub const fn color(self) -> u8 {
         (self.0 >> 5).to_le_bytes()[0]
     }
 
-    /// The rectangle is known to be inside.
+    /// Tells whether [`PIX_DONTCLIP`] is set.
     pub const fn dont_clip(self) -> bool {
         self.0 & PIX_DONTCLIP.0 != 0
     }
 
-    /// The encoded word.
+    /// Returns the encoded word.
     pub const fn bits(self) -> u16 {
         self.0
     }
 
-    /// The function, for each bit of a pixel.
+    /// Applies the function to each bit of a source pixel and a destination pixel.
     pub const fn apply(self, src: u8, dst: u8) -> u8 {
         let table = self.0 >> 1;
         (src & dst & spread(table >> 3))
@@ -62,7 +64,7 @@ impl PixOp {
             | (!src & !dst & spread(table))
     }
 
-    /// The result depends on the destination.
+    /// Tells whether the result depends on the destination.
     pub const fn needs_dst(self) -> bool {
         // Bits 0 and 2 of the table are for a destination of 0, bits 1 and 3 for one of 1.
         let table = self.0 >> 1;
@@ -70,12 +72,12 @@ impl PixOp {
     }
 }
 
-/// All bits the lowest bit.
+/// Returns a byte whose eight bits are all the lowest bit of `bit`.
 const fn spread(bit: u16) -> u8 {
     if bit & 1 != 0 { 0xFF } else { 0 }
 }
 
-/// PIX_NOT: the complement of the function; colour and flag are dropped, as the manual's macro does.
+/// PIX_NOT: the complement of the function. The colour and the flag are dropped, as the manual's macro does.
 impl Not for PixOp {
     type Output = Self;
     fn not(self) -> Self {

@@ -1,8 +1,9 @@
-//! Regions: a part of a pixrect is a pixrect.
+//! Regions (pr_region): a part of a pixrect that is a pixrect itself.
 
 use super::{Pixrect, PixrectError, Rect};
 
-/// A part of another pixrect, with its own coordinates and plane mask, and the other's pixels and colormap.
+/// A part of another pixrect, made by [`Pixrect::pr_region`]. It has its own coordinates and plane mask; its pixels
+/// and its colormap are those of the other.
 #[derive(Debug)]
 pub struct Region<'a, P> {
     parent: &'a mut P,
@@ -12,9 +13,9 @@ pub struct Region<'a, P> {
 }
 
 impl<'a, P: Pixrect> Region<'a, P> {
-    /// The part of `parent` that `part` covers; empty if it covers none.
+    /// Makes the region of `parent` that `part` covers; empty if it covers none.
     pub(super) fn new(parent: &'a mut P, part: Rect) -> Self {
-        // The part at..at + len of 0..end, as start and length.
+        // For one axis, the part of `at..at + len` that lies in `0..end`, as its start and its length.
         let axis = |at: i32, len: i32, end: u32| {
             let (at, len, end) = (i64::from(at), i64::from(len).max(0), i64::from(end));
             let (start, stop) = (at.clamp(0, end), (at + len).clamp(0, end));
@@ -26,7 +27,7 @@ impl<'a, P: Pixrect> Region<'a, P> {
         Self { parent, origin: (x, y), size: (w, h), planes }
     }
 
-    /// How many of `len` pixels at (x, y) are inside.
+    /// Returns how many of the `len` pixels from (`x`, `y`) to the right are inside the region.
     fn inside(&self, x: u32, y: u32, len: usize) -> usize {
         let room = if y < self.size.1 { self.size.0.saturating_sub(x) } else { 0 };
         len.min(usize::try_from(room).unwrap_or(usize::MAX))

@@ -1,28 +1,32 @@
-//! An emulated VGA: the register file as a state machine, 64 KiB of its memory, and what a monitor on it
-//! would show.
+//! An emulated VGA: the register file as a state machine, 64 KiB of its memory, and what a monitor would show.
 //!
-//! Every register of the sequencer, CRTC, graphics and attribute controllers is kept. Obeyed are: the
-//! attribute flip-flop and its reset by 3DAh, the lock of the palette while it goes to the screen, the
-//! CRTC's write protection, the DAC's indices, three-byte sequences and 6-bit latches, the pel mask, and
-//! what opens the window at A0000h (memory enable, memory map, chain 4, map mask). Not modelled: the
-//! planar modes (their window reads FFh and drops what is written) and time (the retrace comes every
-//! [`RETRACE_PERIOD`] reads of 3DAh).
+//! Every register of the sequencer, the CRT controller, the graphics controller and the attribute controller keeps
+//! what is written to it. These work as on a VGA:
+//!
+//! - the flip-flop of the attribute controller and its reset by 3DAh;
+//! - the lock of the palette while the picture is shown, and the write protection of the CRT controller;
+//! - the DAC's indices, its sequence of red, green and blue, its 6-bit levels, and the pel mask;
+//! - the bits that open the window at A0000h: memory enable, memory map, chain 4, map mask.
+//!
+//! Two things are not modelled: the planar modes, whose window reads FFh and drops what is written, and time. The
+//! vertical retrace comes at every [`RETRACE_PERIOD`]th read of 3DAh instead.
 
-use core::fmt;
-
-use rta_core::color::Rgb;
+mod dac;
+mod monitor;
 
 use super::registers as reg;
-use super::{CAPABILITIES, offset};
 use crate::bus::{Memory, Ports, ShortMemory, read_clipped, write_clipped};
+use dac::Dac;
 
-/// Reads of 3DAh from one vertical retrace to the next; the last of them sees it.
+pub use monitor::{Monitor, NotMode13h};
+
+/// Reads of 3DAh from one vertical retrace to the next. One read of each period sees the retrace.
 pub const RETRACE_PERIOD: u8 = 8;
 
-/// Bytes of the window at A0000h.
+/// Bytes of the window at A0000h: 64 KiB.
 pub const MEMORY_SIZE: usize = 0x1_0000;
 
-/// An emulated VGA with borrowed (or otherwise lent) memory. Takes about 850 bytes besides.
+/// An emulated VGA whose video memory is lent by the caller; it takes 850 bytes at most itself.
 #[derive(Clone, Debug)]
 pub struct Vga<M> {
     memory: M,
@@ -31,13 +35,14 @@ pub struct Vga<M> {
     crtc: Indexed<25>,
     graphics: Indexed<9>,
     attribute: Indexed<21>,
-    /// The next write to 3C0h is data.
+    /// The flip-flop of the attribute controller: the next write to 3C0h is data, not an index.
     attribute_data: bool,
     dac: Dac,
+    /// Reads of 3DAh since the last vertical retrace.
     status_reads: u8,
 }
 
-/// Registers behind an index.
+/// Registers behind one data port, selected by an index.
 #[derive(Clone, Debug)]
 struct Indexed<const N: usize> {
     index: u8,
@@ -47,15 +52,17 @@ struct Indexed<const N: usize> {
 impl<const N: usize> Indexed<N> {
     const RESET: Self = Self { index: 0, values: [0; N] };
 
-    /// The value of register `index`; FFh where there is none.
+    /// Returns the value of register `index`; FFh where there is none.
     fn value(&self, index: u8) -> u8 {
         self.values.get(usize::from(index)).copied().unwrap_or(0xFF)
     }
 
+    /// Returns the value of the selected register; FFh where there is none.
     fn read(&self) -> u8 {
         self.value(self.index)
     }
 
+    /// Sets the selected register, if there is one.
     fn write(&mut self, value: u8) {
         if let Some(register) = self.values.get_mut(usize::from(self.index)) {
             *register = value;
@@ -63,63 +70,8 @@ impl<const N: usize> Indexed<N> {
     }
 }
 
-#[derive(Clone, Debug)]
-struct Dac {
-    colors: [Rgb<u8>; 256],
-    mask: u8,
-    reading: bool,
-    write_index: u8,
-    read_index: u8,
-    /// Red and green wait here for blue.
-    latch: Rgb<u8>,
-    /// Which of red, green and blue is next: 0, 1, 2.
-    gun: u8,
-}
-
-impl Dac {
-    fn color(&self, index: u8) -> Rgb<u8> {
-        self.colors.get(usize::from(index)).copied().unwrap_or_default()
-    }
-
-    fn start(&mut self, index: u8, reading: bool) {
-        *(if reading { &mut self.read_index } else { &mut self.write_index }) = index;
-        self.reading = reading;
-        self.gun = 0;
-    }
-
-    fn write(&mut self, value: u8) {
-        let value = value & CAPABILITIES.gun_max;
-        match self.gun {
-            0 => self.latch.r = value,
-            1 => self.latch.g = value,
-            _ => {
-                self.latch.b = value;
-                if let Some(color) = self.colors.get_mut(usize::from(self.write_index)) {
-                    *color = self.latch;
-                }
-                self.write_index = self.write_index.wrapping_add(1);
-            }
-        }
-        self.gun = (self.gun + 1) % 3;
-    }
-
-    fn read(&mut self) -> u8 {
-        let color = self.color(self.read_index);
-        let value = match self.gun {
-            0 => color.r,
-            1 => color.g,
-            _ => {
-                self.read_index = self.read_index.wrapping_add(1);
-                color.b
-            }
-        };
-        self.gun = (self.gun + 1) % 3;
-        value
-    }
-}
-
 impl<M: AsRef<[u8]> + AsMut<[u8]>> Vga<M> {
-    /// A VGA after reset: no mode set, screen blank, `memory` as it is.
+    /// Makes a VGA after reset: no mode is set, the screen is blank, `memory` is left as it is.
     ///
     /// # Errors
     /// [`ShortMemory`] if `memory` has less than [`MEMORY_SIZE`] bytes.
@@ -136,20 +88,12 @@ impl<M: AsRef<[u8]> + AsMut<[u8]>> Vga<M> {
             graphics: Indexed::RESET,
             attribute: Indexed::RESET,
             attribute_data: false,
-            dac: Dac {
-                colors: [Rgb::new(0, 0, 0); 256],
-                mask: 0,
-                reading: false,
-                write_index: 0,
-                read_index: 0,
-                latch: Rgb::new(0, 0, 0),
-                gun: 0,
-            },
+            dac: Dac::RESET,
             status_reads: 0,
         })
     }
 
-    /// What the BIOS does on int 10h with AX = 0013h: registers, pel mask, memory cleared.
+    /// Does what the BIOS does on int 10h with AX = 0013h: sets the registers and the pel mask, clears the memory.
     pub fn bios_mode_13h(&mut self) {
         self.misc = reg::MISC;
         self.sequencer.values = reg::SEQUENCER_VALUES;
@@ -161,43 +105,15 @@ impl<M: AsRef<[u8]> + AsMut<[u8]>> Vga<M> {
         self.memory.as_mut().fill(0);
     }
 
-    /// Plugs a monitor in.
-    ///
-    /// # Errors
-    /// [`NotMode13h`], which names the first register that does not stand as mode 13h has it.
-    pub fn monitor(&self) -> Result<Monitor<'_>, NotMode13h> {
-        let check = |port, index, found: u8, wanted: u8, mask: u8| {
-            if (found ^ wanted) & mask == 0 { Ok(()) } else { Err(NotMode13h { port, index, found, wanted }) }
-        };
-        check(reg::MISC_WRITE, None, self.misc, reg::MISC, 0xFF)?;
-        for (index, &wanted) in (0..).zip(&reg::SEQUENCER_VALUES) {
-            check(reg::SEQUENCER, Some(index), self.sequencer.value(index), wanted, 0xFF)?;
-        }
-        for (index, &wanted) in (0..).zip(&reg::CRTC_VALUES) {
-            let mask = match index {
-                0x0A | 0x0B | 0x0E | 0x0F => 0,                // the text cursor
-                reg::CRTC_PROTECT_INDEX => !reg::CRTC_PROTECT, // a lock, not a timing
-                _ => 0xFF,
-            };
-            check(reg::CRTC, Some(index), self.crtc.value(index), wanted, mask)?;
-        }
-        for (index, &wanted) in (0..).zip(&reg::GRAPHICS_VALUES) {
-            check(reg::GRAPHICS, Some(index), self.graphics.value(index), wanted, 0xFF)?;
-        }
-        for (index, &wanted) in (0..).zip(&reg::ATTRIBUTE_VALUES) {
-            let mask = if index == 0x11 { 0 } else { 0xFF }; // 11h is the colour of the border
-            check(reg::ATTRIBUTE, Some(index), self.attribute.value(index), wanted, mask)?;
-        }
-        let source = reg::PALETTE_ADDRESS_SOURCE;
-        check(reg::ATTRIBUTE, None, self.attribute.index, source, source)?;
-        Ok(Monitor { memory: self.memory.as_ref(), dac: &self.dac })
-    }
-
-    /// The window at A0000h is there: memory enabled, 64 KiB at A0000h, the four planes chained.
+    /// Tells whether the 64 KiB at A0000h answer as one linear window: the memory is enabled (bit 1 of the
+    /// miscellaneous output), mapped there (bits 2 and 3 of graphics register 6 are 01) and its four planes are chained
+    /// (bit 3 of sequencer register 4).
     fn window_is_open(&self) -> bool {
         self.misc & 0x02 != 0 && self.graphics.value(6) & 0x0C == 0x04 && self.sequencer.value(4) & 0x08 != 0
     }
 
+    /// A write to 3C0h: an index or data, by the flip-flop. The upper two bits of an index and of a palette register
+    /// do not exist.
     fn write_attribute(&mut self, value: u8) {
         let index = self.attribute.index & 0x1F;
         let palette = index < 0x10;
@@ -212,6 +128,7 @@ impl<M: AsRef<[u8]> + AsMut<[u8]>> Vga<M> {
         self.attribute_data = !self.attribute_data;
     }
 
+    /// A write to the data port of the CRT controller.
     fn write_crtc(&mut self, value: u8) {
         let locked = self.crtc.value(reg::CRTC_PROTECT_INDEX) & reg::CRTC_PROTECT != 0;
         match self.crtc.index {
@@ -222,7 +139,8 @@ impl<M: AsRef<[u8]> + AsMut<[u8]>> Vga<M> {
         }
     }
 
-    /// CRTC and input status answer at 3Dxh (colour) or 3Bxh (monochrome). The offset in that range.
+    /// Returns the offset of `port` from 3D0h, or from 3B0h where bit 0 of the miscellaneous output is 0
+    /// (monochrome): the CRT controller and the input status register move with that bit. `None` for other ports.
     fn crtc_port(&self, port: u16) -> Option<u16> {
         let base = if self.misc & 0x01 != 0 { 0x3D0 } else { 0x3B0 };
         port.checked_sub(base).filter(|&offset| offset < 0x10)
@@ -294,7 +212,7 @@ impl<M: AsRef<[u8]> + AsMut<[u8]>> Memory for Vga<M> {
             write_clipped(memory, offset, bytes);
             return;
         }
-        // Chained, the two low bits of the address choose the plane.
+        // With chain 4 the two low bits of the address choose the plane, and the map mask has a bit for each plane.
         for (at, byte) in (offset..=u32::MAX).zip(bytes) {
             if map_mask >> (at & 3) & 1 != 0 {
                 write_clipped(memory, at, core::slice::from_ref(byte));
@@ -307,45 +225,3 @@ impl<M: AsRef<[u8]> + AsMut<[u8]>> Memory for Vga<M> {
         read_clipped(window.unwrap_or(&[]), offset, bytes);
     }
 }
-
-/// A monitor on an emulated VGA that is in mode 13h.
-#[derive(Clone, Copy, Debug)]
-pub struct Monitor<'a> {
-    memory: &'a [u8],
-    dac: &'a Dac,
-}
-
-impl Monitor<'_> {
-    /// What the guns show at a pixel, 0..=63 each: the index in memory, masked, through the DAC. `None`
-    /// outside the screen.
-    pub fn pixel(&self, x: u32, y: u32) -> Option<Rgb<u8>> {
-        CAPABILITIES.check_pixels::<()>(x, y, 1).ok()?;
-        let index = self.memory.get(usize::try_from(offset(x, y)).ok()?)?;
-        Some(self.dac.color(index & self.dac.mask))
-    }
-}
-
-/// A register does not stand as mode 13h has it: the monitor would show nothing, or something else.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct NotMode13h {
-    /// The port of the register, or of its index.
-    pub port: u16,
-    /// Its index, if it has one.
-    pub index: Option<u8>,
-    /// What it holds.
-    pub found: u8,
-    /// What mode 13h wants.
-    pub wanted: u8,
-}
-
-impl fmt::Display for NotMode13h {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "not in mode 13h: register {:X}h", self.port)?;
-        if let Some(index) = self.index {
-            write!(f, " index {index:02X}h")?;
-        }
-        write!(f, " is {:02X}h, wanted {:02X}h", self.found, self.wanted)
-    }
-}
-
-impl core::error::Error for NotMode13h {}
