@@ -1,4 +1,4 @@
-//! The driver: a display on top of the calls.
+//! The driver of graPHIGS: a [`Display`] on top of the calls of the API.
 
 use rta_core::color::Rgb;
 
@@ -6,32 +6,35 @@ use super::{CAPABILITIES, ColorModel, GpError, Graphigs, Ibid, Ncid, ONE, PixelA
 use super::{Pair, WorkstationType};
 use crate::display::{Capabilities, Display, DriverError, ReadBack};
 
+/// The identifier that the driver gives to its workstation.
 const WSID: Wsid = Wsid(1);
+/// The identifier that the driver gives to its image board.
 const IBID: Ibid = Ibid(1);
-/// The nucleus that GPOPPH makes.
+/// The identifier of the nucleus that GPOPPH makes.
 const NCID: Ncid = Ncid(1);
-/// Bits of the image board: the least depth, of those a nucleus has, that holds 128 indices.
+/// Depth of the image board in bits. A nucleus has 1, 2, 4 and 8; 128 indices need 7.
 const DEPTH: u32 = 8;
-/// Colours converted at once; they wait on the stack.
+/// Colours converted and set by one call, in a buffer of 192 bytes on the stack.
 const CHUNK: usize = 32;
-/// One level of a 4-bit gun as a fraction of [`ONE`]: exact.
+/// One level of a 4-bit gun as a fraction of [`ONE`]. The division is exact: 65535 = 15 * 4369.
 const STEP: u16 = ONE / CAPABILITIES.gun_max as u16;
 
-/// Draws on a graPHIGS workstation: opens it, makes an image board of the size of the screen, and turns
-/// colours into GPCR and rows into GPWRCT.
+/// Draws on a graPHIGS workstation: opens it, makes an image board of the size of the screen, sets colours with GPCR
+/// and writes rows with GPWRCT.
 ///
-/// Colours take effect with [`Display::update`], as GPCR has it. Rows of a [`Display`] count from the top,
-/// those of a board from the bottom; the driver turns them.
+/// Colours take effect with [`Display::update`], which calls GPUPWS. The driver converts the rows of a [`Display`],
+/// which count from the top, to those of a board, which count from the bottom.
 #[derive(Clone, Debug)]
 pub struct GraphigsDisplay<G> {
     api: G,
 }
 
 impl<G: Graphigs> GraphigsDisplay<G> {
-    /// Opens graPHIGS and the workstation of type `wstype` at connection `connid`, in the RGB model.
+    /// Opens graPHIGS and the workstation of type `wstype` at connection `connid`, sets the colour model RGB and
+    /// makes the image board.
     ///
     /// # Errors
-    /// Those of the calls.
+    /// Those of [`Graphigs::gpopph`], [`Graphigs::gpopws`], [`Graphigs::gpcml`] and [`Graphigs::gpcrib`].
     pub fn open(mut api: G, connid: &str, wstype: WorkstationType) -> Result<Self, GpError> {
         api.gpopph()?;
         api.gpopws(WSID, connid, wstype)?;
@@ -40,34 +43,36 @@ impl<G: Graphigs> GraphigsDisplay<G> {
         Ok(Self { api })
     }
 
-    /// Closes the workstation and graPHIGS.
+    /// Closes the workstation and graPHIGS and gives the API back.
     ///
     /// # Errors
-    /// Those of the calls.
+    /// Those of [`Graphigs::gpclws`] and [`Graphigs::gpclph`].
     pub fn close(mut self) -> Result<G, GpError> {
         self.api.gpclws(WSID)?;
         self.api.gpclph()?;
         Ok(self.api)
     }
 
-    /// What answers the calls, to look at it.
+    /// Borrows the API, for example to look at the pixels of an emulated workstation.
     pub fn api(&self) -> &G {
         &self.api
     }
 
-    /// The same, to call it in between.
+    /// Borrows the API to make calls of one's own. They must leave the driver's workstation and image board (both of
+    /// identifier 1) open for the driver to go on.
     pub fn api_mut(&mut self) -> &mut G {
         &mut self.api
     }
 }
 
-/// The rectangle of one row: origin on the board and size. (x, y) is on the screen.
+/// Returns the rectangle of `len` pixels from (`x`, `y`) of the screen to the right: its origin on the board, which
+/// counts from the bottom, and its size. The pixel must be on the screen.
 fn row(x: u32, y: u32, len: usize) -> (Pair, Pair) {
     let size = u32::try_from(len).unwrap_or(u32::MAX);
     ((x, CAPABILITIES.height - 1 - y), (size, 1))
 }
 
-/// Application data of one row.
+/// Wraps `data` as application data of the given size; the order of the rows does not matter where there is one.
 fn array<D>(size: Pair, data: D) -> PixelArray<D> {
     PixelArray { x_size: size.0, y_size: size.1, order: PixelOrder::LeftRightTopBottom, data }
 }
@@ -95,7 +100,7 @@ impl<G: Graphigs> Display for GraphigsDisplay<G> {
         CAPABILITIES.check_pixels(x, y, indices.len())?;
         CAPABILITIES.check_indices(indices)?;
         if indices.is_empty() {
-            return Ok(()); // GPWRCT refuses an empty rectangle
+            return Ok(()); // GPWRCT would refuse an empty rectangle
         }
         let (origin, size) = row(x, y, indices.len());
         Ok(self.api.gpwrct(IBID, origin, size, array(size, indices), (0, 0))?)
@@ -121,7 +126,7 @@ impl<G: Graphigs> ReadBack for GraphigsDisplay<G> {
     fn read_pixels(&mut self, x: u32, y: u32, indices: &mut [u8]) -> Result<(), Self::Error> {
         CAPABILITIES.check_pixels(x, y, indices.len())?;
         if indices.is_empty() {
-            return Ok(());
+            return Ok(()); // GPRRCT would refuse an empty rectangle
         }
         let (origin, size) = row(x, y, indices.len());
         Ok(self.api.gprrct(IBID, origin, size, array(size, indices), (0, 0))?)

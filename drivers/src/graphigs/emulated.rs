@@ -1,96 +1,63 @@
 //! An emulated IBM RT PC with graPHIGS: one nucleus, one workstation of the type `RTPC`, one image board.
 //!
-//! It keeps the API's state (graPHIGS, workstation, non-retained structure open or closed), the colour
-//! table twice (as set, and as in effect since the last GPUPWS), and the board. Decisions where the
-//! reference is silent or asks for more than a picture needs: the board is shown pixel for pixel, without
-//! GPDFI and image mappings; its origin is its lower left pixel; the workstation has the RGB and CMY
-//! models; the board is at most as large as the memory lent; the screen has seven planes, so an eighth
-//! bit of the board is not shown.
+//! It keeps the state of the API (whether graPHIGS, the workstation and a non-retained structure are open), two
+//! colour tables (the one that was set, and the one in effect since the last GPUPWS), and the board.
+//!
+//! Where the reference says nothing, or asks for more than a picture needs, this is what it does:
+//!
+//! - The board is shown pixel for pixel, without GPDFI and image mappings; its origin is its lower left pixel.
+//! - The workstation has the colour models RGB and CMY.
+//! - The board is at most as large as the memory lent.
+//! - The screen has seven planes (128 colours), so the eighth bit of a board's pixel is not shown.
+
+mod board;
 
 use rta_core::color::Rgb;
 
 use super::{CAPABILITIES, ColorFacilities, ColorModel, GpError, Graphigs, Ibid, Ncid, ONE, Pair};
-use super::{PixelArray, PixelOrder, WorkstationType, Wsid};
+use super::{PixelArray, WorkstationType, Wsid};
+use board::{Board, check_inside};
 
-/// The one workstation type there is.
+/// The one workstation type that the machine has.
 pub const WORKSTATION_TYPE: WorkstationType = *b"RTPC    ";
 
-/// Bytes of an image board of the size of the screen.
+/// Bytes of an image board of the size of the screen: 1 MiB.
 pub const MEMORY_SIZE: usize = 1024 * 1024;
 
-/// The one nucleus there is.
+/// The one nucleus that the machine has.
 const NUCLEUS: Ncid = Ncid(1);
+/// Entries of the colour table.
 const COLORS: usize = CAPABILITIES.colors as usize;
 const BLACK: Rgb<u8> = Rgb::new(0, 0, 0);
 
-/// The emulated workstation, with lent memory for its image board. Takes about 800 bytes besides.
+/// The emulated machine, whose image board lies in memory that the caller lends; it takes 820 bytes at most itself.
 #[derive(Clone, Debug)]
 pub struct Workstation<M> {
     memory: M,
+    /// graPHIGS is open.
     open: bool,
+    /// The identifier of the workstation while it is open.
     workstation: Option<Wsid>,
-    /// A non-retained structure was begun.
+    /// A non-retained structure was begun and not ended.
     drawing: bool,
+    /// How the components of GPCR and GPQCR are read.
     model: ColorModel,
+    /// The colour table as GPCR set it, levels of 0..=15.
     set: [Rgb<u8>; COLORS],
+    /// The colour table that the screen shows: a copy of `set`, made at each GPUPWS.
     effective: [Rgb<u8>; COLORS],
     board: Option<Board>,
 }
 
-#[derive(Clone, Copy, Debug)]
-struct Board {
-    id: Ibid,
-    mask: u8,
-    width: u32,
-    height: u32,
-}
-
-impl Board {
-    /// Offset of the pixel at (x, y) from the lower left, if it is on the board.
-    fn offset(&self, x: u64, y: u64) -> Option<usize> {
-        let (width, height) = (u64::from(self.width), u64::from(self.height));
-        if x < width && y < height { usize::try_from(y * width + x).ok() } else { None }
-    }
-}
-
-impl<D> PixelArray<D> {
-    /// Offset in the data of the pixel at (x, y) from the lower left of the array.
-    fn offset(&self, x: u64, y: u64) -> Option<usize> {
-        let (width, height) = (u64::from(self.x_size), u64::from(self.y_size));
-        if x >= width || y >= height {
-            return None;
-        }
-        let row = if self.order == PixelOrder::LeftRightTopBottom { height - 1 - y } else { y };
-        usize::try_from(row.checked_mul(width)?.checked_add(x)?).ok()
-    }
-
-    /// The array has pixels and `len` bytes hold them.
-    fn check(&self, len: usize) -> Result<(), GpError> {
-        let pixels = u64::from(self.x_size) * u64::from(self.y_size);
-        let holds = u64::try_from(len).is_ok_and(|len| len >= pixels);
-        if pixels > 0 && holds { Ok(()) } else { Err(GpError::Rectangle) }
-    }
-}
-
-/// A rectangle is not empty and lies within `width` x `height`.
-fn check_inside(origin: Pair, size: Pair, width: u32, height: u32) -> Result<(), GpError> {
-    let fits = |start: u32, len: u32, end: u32| len > 0 && start.checked_add(len).is_some_and(|e| e <= end);
-    if fits(origin.0, size.0, width) && fits(origin.1, size.1, height) {
-        Ok(())
-    } else {
-        Err(GpError::Rectangle)
-    }
-}
-
-/// The level of 16 nearest to a component.
+/// Returns the level, 0..=15, nearest to a component, which is a fraction of [`ONE`].
 fn realize(component: u16) -> u8 {
     let (c, one, max) = (u32::from(component), u32::from(ONE), u32::from(CAPABILITIES.gun_max));
     ((c * max + one / 2) / one).to_le_bytes()[0]
 }
 
 impl<M: AsRef<[u8]> + AsMut<[u8]>> Workstation<M> {
-    /// A machine with graPHIGS closed. Boards are made in `memory`; for one of the size of the screen it
-    /// must have [`MEMORY_SIZE`] bytes.
+    /// Makes a machine on which graPHIGS is closed. Its board will lie in `memory`, which must have
+    /// [`MEMORY_SIZE`] bytes for one of the size of the screen.
     pub const fn new(memory: M) -> Self {
         Self {
             memory,
@@ -104,8 +71,9 @@ impl<M: AsRef<[u8]> + AsMut<[u8]>> Workstation<M> {
         }
     }
 
-    /// What the guns show at a pixel of the screen, counted from the upper left: levels of 0..=15. `None`
-    /// outside the screen. Where there is no board or no workstation there is black.
+    /// Returns the levels of the guns, 0..=15 each, at the pixel in column `x` and row `y` from the upper left of
+    /// the screen; `None` outside it. Beyond the board the colour of entry 0 is shown; while no workstation is open
+    /// the screen is black.
     pub fn pixel(&self, x: u32, y: u32) -> Option<Rgb<u8>> {
         CAPABILITIES.check_pixels::<()>(x, y, 1).ok()?;
         if self.workstation.is_none() {
@@ -117,10 +85,12 @@ impl<M: AsRef<[u8]> + AsMut<[u8]>> Workstation<M> {
         self.effective.get(usize::from(pixel) % COLORS).copied()
     }
 
+    /// Checks that graPHIGS is open.
     fn check_open(&self) -> Result<(), GpError> {
         if self.open { Ok(()) } else { Err(GpError::RequiresPhop) }
     }
 
+    /// Checks that the workstation is open and has the identifier `wsid`.
     fn check_workstation(&self, wsid: Wsid) -> Result<(), GpError> {
         match self.workstation {
             None => Err(GpError::RequiresWsop),
@@ -129,34 +99,17 @@ impl<M: AsRef<[u8]> + AsMut<[u8]>> Workstation<M> {
         }
     }
 
+    /// Returns the board if it exists and has the identifier `ibid`.
     fn check_board(&self, ibid: Ibid) -> Result<Board, GpError> {
         self.check_open()?;
         self.board.filter(|board| board.id == ibid).ok_or(GpError::Board)
     }
 
-    /// The colour as levels, in the current model.
+    /// Converts components of the current colour model to levels of red, green and blue, 0..=15.
     fn levels(&self, components: Rgb<u16>) -> Rgb<u8> {
         match self.model {
             ColorModel::Cmy => components.map(|c| realize(ONE - c)),
             _ => components.map(realize),
-        }
-    }
-
-    /// Copies a rectangle of application data to the board; both origins count from the lower left.
-    fn draw(&mut self, board: Board, to: (i64, i64), size: Pair, image: &PixelArray<&[u8]>, from: Pair) {
-        let memory = self.memory.as_mut();
-        for row in 0..size.1 {
-            for column in 0..size.0 {
-                let target = |start: i64, step: u32| u64::try_from(start + i64::from(step)).ok();
-                let offset =
-                    target(to.0, column).zip(target(to.1, row)).and_then(|(x, y)| board.offset(x, y));
-                let source = image
-                    .offset(u64::from(from.0) + u64::from(column), u64::from(from.1) + u64::from(row))
-                    .and_then(|offset| image.data.get(offset));
-                if let (Some(pixel), Some(value)) = (offset.and_then(|o| memory.get_mut(o)), source) {
-                    *pixel = value & board.mask;
-                }
-            }
         }
     }
 }
@@ -299,7 +252,7 @@ impl<M: AsRef<[u8]> + AsMut<[u8]>> Graphigs for Workstation<M> {
         let board = self.check_board(tibid)?;
         image.check(image.data.len())?;
         check_inside(sorigin, size, image.x_size, image.y_size)?;
-        self.draw(board, (torigin.0.into(), torigin.1.into()), size, &image, sorigin);
+        board.write(self.memory.as_mut(), (torigin.0.into(), torigin.1.into()), size, &image, sorigin);
         Ok(())
     }
 
@@ -308,25 +261,13 @@ impl<M: AsRef<[u8]> + AsMut<[u8]>> Graphigs for Workstation<M> {
         sibid: Ibid,
         sorigin: Pair,
         size: Pair,
-        image: PixelArray<&mut [u8]>,
+        mut image: PixelArray<&mut [u8]>,
         torigin: Pair,
     ) -> Result<(), GpError> {
         let board = self.check_board(sibid)?;
         image.check(image.data.len())?;
         check_inside(sorigin, size, board.width, board.height)?;
-        for row in 0..size.1 {
-            for column in 0..size.0 {
-                let at = |origin: Pair| {
-                    (u64::from(origin.0) + u64::from(column), u64::from(origin.1) + u64::from(row))
-                };
-                let ((sx, sy), (tx, ty)) = (at(sorigin), at(torigin));
-                let source = board.offset(sx, sy).and_then(|offset| self.memory.as_ref().get(offset));
-                let offset = image.offset(tx, ty);
-                if let (Some(&value), Some(pixel)) = (source, offset.and_then(|o| image.data.get_mut(o))) {
-                    *pixel = value;
-                }
-            }
-        }
+        board.read(self.memory.as_ref(), sorigin, size, &mut image, torigin);
         Ok(())
     }
 
@@ -349,9 +290,15 @@ impl<M: AsRef<[u8]> + AsMut<[u8]>> Graphigs for Workstation<M> {
             return Err(GpError::RequiresNrop);
         }
         image.check(image.data.len())?;
-        let Some(board) = self.board else { return Ok(()) }; // no frame buffer without a board
+        let Some(board) = self.board else { return Ok(()) }; // without a board nothing is shown
         let bottom = i64::from(point.1) - (i64::from(image.y_size) - 1);
-        self.draw(board, (point.0.into(), bottom), (image.x_size, image.y_size), &image, (0, 0));
+        board.write(
+            self.memory.as_mut(),
+            (point.0.into(), bottom),
+            (image.x_size, image.y_size),
+            &image,
+            (0, 0),
+        );
         Ok(())
     }
 }

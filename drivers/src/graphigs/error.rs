@@ -2,13 +2,13 @@
 
 use core::fmt;
 
-/// The API's errors. [`GpError::number`] gives the API's own number.
+/// An error of the graPHIGS API, under the number that [`GpError::number`] returns.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum GpError {
     /// The function requires state PHCL: graPHIGS is open already.
     RequiresPhcl,
-    /// The function requires state PHOP: graPHIGS is not open, or has more open than the function allows.
+    /// The function requires state PHOP: graPHIGS is not open, or a workstation is still open.
     RequiresPhop,
     /// The function requires state WSOP: no workstation is open.
     RequiresWsop,
@@ -40,12 +40,12 @@ pub enum GpError {
     Rectangle,
     /// The number of indexes is less than one.
     NoIndexes,
-    /// The start value exceeds the size of the colour table.
+    /// The first entry asked for, or one after it, exceeds the size of the colour table.
     Start,
 }
 
 impl GpError {
-    /// The number by which the API reports it; `None` where its reference gives none for the call.
+    /// Returns the number by which the API reports the error; `None` where the reference gives no number for it.
     pub const fn number(self) -> Option<u16> {
         Some(match self {
             Self::RequiresPhcl => 1,
