@@ -1,45 +1,52 @@
-//! What a driver needs of the machine: a bus is a trait.
+//! How a driver reaches the hardware: three small traits, [`Ports`], [`Memory`] and [`Registers`].
 //!
-//! Driver authors: ask for the smallest of the three traits that will do. VGA wants [`Ports`] and
-//! [`Memory`], the Sun cgthree wants [`Registers`] and [`Memory`].
+//! # For driver authors
 //!
-//! Board authors: implement the traits on the type that owns the addresses. This is the one place of a
-//! machine where `unsafe` belongs: `out`/`in` instructions, volatile accesses at A0000h or 50800000h.
-//! The emulated back ends ([`crate::vga13h::emulated`], [`crate::pixrect::emulated`]) implement the same
-//! traits, so one driver serves both.
+//! Be generic over the bus, and ask for no more traits than the device needs: the VGA driver asks for
+//! `B: Ports + Memory`, the Sun cgthree for `B: Registers + Memory`. Offsets count from the start of the device, so the
+//! addresses at which a machine has it do not concern the driver.
 //!
-//! None of the calls can fail: a port or an address answers whether or not anybody is there.
+//! # For bus authors
+//!
+//! Implement the traits on the type of your firmware that owns the device. This is the one place where `unsafe`
+//! belongs: the `in` and `out` instructions of a PC, volatile accesses at A0000h or 50800000h. An implementation has
+//! three duties: accesses reach the device in the order in which they are made, none is left out or merged with
+//! another, and an offset outside the device touches nothing. The head of the crate has an example.
+//!
+//! The emulated devices ([`crate::vga13h::emulated`], [`crate::pixrect::emulated`]) implement the same traits, so one
+//! driver serves both.
+//!
+//! No call returns an error, because the hardware reports none: a port that nobody answers reads as FFh.
 
 use core::fmt;
 
 /// The 8-bit I/O ports of a PC.
 pub trait Ports {
-    /// Writes `value` to `port` (`out dx, al`).
+    /// Writes `value` to `port` (the instruction `out dx, al`).
     fn out8(&mut self, port: u16, value: u8);
-    /// Reads `port` (`in al, dx`). A port that nobody answers reads FFh.
+    /// Reads `port` (the instruction `in al, dx`). A port that nobody answers reads FFh.
     fn in8(&mut self, port: u16) -> u8;
 }
 
-/// A window of byte-addressed video memory: A0000h of a VGA, the frame buffer of a cgthree.
+/// A window of video memory, one byte an address: the 64 KiB at A0000h of a VGA, the frame buffer of a cgthree.
 ///
-/// Offsets count bytes from the start of the window. What lies beyond the window is not written and
-/// reads FFh.
+/// Offsets count bytes from the start of the window. Bytes beyond its end are not written and read as FFh.
 pub trait Memory {
-    /// Writes `bytes` at `offset`, upwards.
+    /// Writes `bytes` to `offset` and the addresses after it.
     fn write(&mut self, offset: u32, bytes: &[u8]);
-    /// Reads into `bytes` from `offset`, upwards.
+    /// Fills `bytes` from `offset` and the addresses after it.
     fn read(&mut self, offset: u32, bytes: &mut [u8]);
 }
 
-/// Memory-mapped registers of a board: bytes and big-endian words.
+/// The memory-mapped registers of a board, accessed as bytes or as big-endian words of 32 bits.
 ///
-/// Offsets count bytes from the board's first register.
+/// Offsets count bytes from the board's first register; those of words are multiples of 4.
 pub trait Registers {
-    /// Writes one byte.
+    /// Writes one byte to the register at `offset`.
     fn write8(&mut self, offset: u32, value: u8);
-    /// Reads one byte.
+    /// Reads one byte from the register at `offset`.
     fn read8(&mut self, offset: u32) -> u8;
-    /// Writes one 32-bit word; its most significant byte goes first.
+    /// Writes one word of 32 bits in a single access. Its most significant byte has the lowest address.
     fn write32(&mut self, offset: u32, value: u32);
 }
 
@@ -73,12 +80,12 @@ impl<T: Registers + ?Sized> Registers for &mut T {
     }
 }
 
-/// The memory lent to an emulated device is smaller than the device's own.
+/// The error that the memory lent to an emulated device is smaller than the device's own.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ShortMemory {
-    /// Bytes the device has.
+    /// Bytes of memory that the device has.
     pub needed: usize,
-    /// Bytes that were lent.
+    /// Bytes of memory that were lent.
     pub found: usize,
 }
 
@@ -90,7 +97,7 @@ impl fmt::Display for ShortMemory {
 
 impl core::error::Error for ShortMemory {}
 
-/// Writes `bytes` into `memory`; what lies beyond it is dropped.
+/// Writes `bytes` into `memory` from `offset` up; bytes beyond its end are dropped.
 pub(crate) fn write_clipped(memory: &mut [u8], offset: u32, bytes: &[u8]) {
     let start = usize::try_from(offset).unwrap_or(usize::MAX);
     for (to, &from) in memory.iter_mut().skip(start).zip(bytes) {
@@ -98,7 +105,7 @@ pub(crate) fn write_clipped(memory: &mut [u8], offset: u32, bytes: &[u8]) {
     }
 }
 
-/// Reads from `memory`; what lies beyond it reads FFh.
+/// Fills `bytes` from `memory` from `offset` up; beyond its end they read as FFh.
 pub(crate) fn read_clipped(memory: &[u8], offset: u32, bytes: &mut [u8]) {
     let start = usize::try_from(offset).unwrap_or(usize::MAX);
     let mut source = memory.get(start..).unwrap_or(&[]).iter();

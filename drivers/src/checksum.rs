@@ -1,7 +1,8 @@
-//! A number that tells whether a port draws the right bytes.
+//! A checksum of a picture, by which the port to another machine is tested.
 //!
-//! [`Checksum`] stands before any display and adds up what goes through it. `rta hash` prints the number that the same
-//! scene, number format, device and colour table give on a desktop: in fixed point a port must arrive at it exactly.
+//! [`Checksum`] is a display that wraps another one and hashes what is sent to it. Run the port with it and compare the
+//! value with the one that `rta hash` prints on a desktop for the same scene, number format, device and colour table:
+//! in fixed point they must be equal.
 //!
 //! ```
 //! use rta_core::color::Rgb;
@@ -23,12 +24,14 @@ use rta_core::color::Rgb;
 
 use crate::display::{Capabilities, Display, DriverError};
 
-/// FNV-1a of 64 bits (Fowler, Noll, Vo; RFC 9923).
+/// The state of the hash function FNV-1a of 64 bits (Fowler, Noll, Vo; RFC 9923).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct Fnv(u64);
 
 impl Fnv {
+    /// The hash of no bytes: the offset basis of the RFC.
     const EMPTY: Self = Self(0xcbf2_9ce4_8422_2325);
+    /// The prime of the RFC, 2^40 + 2^8 + B3h.
     const PRIME: u64 = 0x0000_0100_0000_01b3;
 
     fn add(&mut self, byte: u8) {
@@ -36,25 +39,28 @@ impl Fnv {
     }
 }
 
-/// A display, and the hash of what was sent to it.
+/// A display that hashes what is sent to it and passes it on.
 ///
-/// Hashed are the indices in the order in which they are put (a picture that is drawn from its upper left to its lower
-/// right), then the colours in the order in which they are loaded, each as red, green, blue. Where the pixels are on
-/// the screen, and how many of them are put at once, plays no part.
+/// The hash covers all indices in the order in which they are put, and after them all colours in the order in which
+/// they are loaded, each as red, green, blue. So pictures compare equal only if their pixels are drawn in one order,
+/// by convention from the upper left to the lower right. The coordinates of the pixels, and how many are put by one
+/// call, make no difference.
 #[derive(Clone, Debug)]
 pub struct Checksum<D> {
     display: D,
+    /// The hash of the indices.
     pixels: Fnv,
+    /// The hash of the colours: apart, because they are loaded between the pixels.
     colors: Fnv,
 }
 
 impl<D: Display> Checksum<D> {
-    /// A display to which nothing was sent so far.
+    /// Wraps a display; nothing was sent so far.
     pub const fn new(display: D) -> Self {
         Self { display, pixels: Fnv::EMPTY, colors: Fnv::EMPTY }
     }
 
-    /// The hash of what was sent so far.
+    /// Returns the hash of what was sent so far.
     pub fn value(&self) -> u64 {
         let mut sum = self.pixels;
         for byte in self.colors.0.to_le_bytes() {
@@ -63,7 +69,7 @@ impl<D: Display> Checksum<D> {
         sum.0
     }
 
-    /// The display.
+    /// Gives the display back.
     pub fn into_inner(self) -> D {
         self.display
     }
@@ -95,7 +101,7 @@ impl<D: Display> Display for Checksum<D> {
     }
 }
 
-/// A display that nobody sees, with whatever capabilities are wanted.
+/// A display without a screen, which checks what is sent to it against the given capabilities and drops it.
 #[derive(Clone, Copy, Debug)]
 pub struct Unseen(pub Capabilities);
 

@@ -1,8 +1,8 @@
-//! A display as the tracer's user sees it: a colour table and a raster of indices.
+//! A display as its user sees it: a colour table, and a raster of indices into it.
 //!
-//! To drive another display implement [`Display`]: four methods, one of them with a default. If the
-//! device can be read, implement [`ReadBack`] too: pictures can then be saved from the device itself,
-//! and the tests that every driver here passes can be run on yours.
+//! To drive another display implement [`Display`], which has four methods, one of them with a default. If the device
+//! can be read, implement [`ReadBack`] too: then pictures can be saved from the device itself, and the tests that
+//! every driver of this crate passes (`tests/drivers/conformance.rs`) can be run on yours.
 
 use core::fmt;
 
@@ -11,15 +11,16 @@ use rta_core::color::Rgb;
 /// What a display can show.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Capabilities {
-    /// Pixels in a row.
+    /// Pixels of a row.
     pub width: u32,
-    /// Rows.
+    /// Number of rows.
     pub height: u32,
-    /// Entries of the colour table, 1..=256: the colours shown at once.
+    /// Entries of the colour table, 1..=256: how many colours are shown at once.
     pub colors: u16,
-    /// The highest level of a gun: 63 for a 6-bit DAC. The lowest is 0; levels are linear.
+    /// The highest level of each gun (red, green, blue): 63 for a DAC of 6 bits. The lowest is 0; levels are linear.
     pub gun_max: u8,
-    /// Shape of the screen, width to height. Pixels are not square where it differs from the raster's.
+    /// Shape of the screen as width to height, (4, 3) for example. Where it differs from `width` to `height`, pixels
+    /// are not square.
     pub aspect: (u32, u32),
 }
 
@@ -27,7 +28,7 @@ impl Capabilities {
     /// Checks that `len` pixels from (`x`, `y`) to the right lie on the screen.
     ///
     /// # Errors
-    /// [`DriverError::OutOfBounds`].
+    /// [`DriverError::OutOfBounds`] if one does not.
     pub fn check_pixels<E>(&self, x: u32, y: u32, len: usize) -> Result<(), DriverError<E>> {
         let room = self.width.checked_sub(x).and_then(|room| usize::try_from(room).ok());
         match room {
@@ -36,19 +37,21 @@ impl Capabilities {
         }
     }
 
-    /// Checks that `len` entries from `first` up are in the colour table.
+    /// Checks that the colour table has `len` entries from `first` up.
     ///
     /// # Errors
-    /// [`DriverError::ColorTable`].
+    /// [`DriverError::ColorTable`] if one is missing.
     pub fn check_entries<E>(&self, first: u8, len: usize) -> Result<(), DriverError<E>> {
         let room = usize::from(self.colors.saturating_sub(u16::from(first)));
         if len <= room { Ok(()) } else { Err(DriverError::ColorTable { first, len }) }
     }
 
-    /// Checks that `colors` fit the table from `first` up and that their levels fit the guns.
+    /// Checks that the colour table has an entry for each of `colors` from `first` up and that their levels are at
+    /// most `gun_max`.
     ///
     /// # Errors
-    /// [`DriverError::ColorTable`], [`DriverError::Level`].
+    /// [`DriverError::ColorTable`] for a missing entry, else [`DriverError::Level`] for the first level that is too
+    /// high.
     pub fn check_colors<E>(&self, first: u8, colors: &[Rgb<u8>]) -> Result<(), DriverError<E>> {
         self.check_entries(first, colors.len())?;
         match colors.iter().flat_map(|c| [c.r, c.g, c.b]).find(|&level| level > self.gun_max) {
@@ -60,7 +63,7 @@ impl Capabilities {
     /// Checks that every index names an entry of the colour table.
     ///
     /// # Errors
-    /// [`DriverError::Index`].
+    /// [`DriverError::Index`] for the first that does not.
     pub fn check_indices<E>(&self, indices: &[u8]) -> Result<(), DriverError<E>> {
         match indices.iter().find(|&&index| u16::from(index) >= self.colors) {
             None => Ok(()),
@@ -71,45 +74,48 @@ impl Capabilities {
 
 /// A display with a colour table.
 pub trait Display {
-    /// What can go wrong. The drivers of this crate use [`DriverError`].
+    /// The error of all methods. The drivers of this crate use [`DriverError`].
     type Error: core::error::Error;
 
-    /// What the display can show. Constant for the life of the value.
+    /// Returns what the display can show. The answer never changes during the life of the value.
     fn capabilities(&self) -> Capabilities;
 
-    /// Loads `colors` into the colour table, from entry `first` up.
+    /// Loads `colors` into the colour table, from entry `first` up. Levels are 0..=`gun_max` of the capabilities.
     ///
     /// # Errors
-    /// Entries beyond the table or levels beyond the guns; nothing is loaded then.
+    /// Fails for entries beyond the table, levels beyond the guns, and what the device reports. In the first two cases
+    /// nothing is loaded.
     fn set_colors(&mut self, first: u8, colors: &[Rgb<u8>]) -> Result<(), Self::Error>;
 
-    /// Writes `indices` into one row, from column `x` to the right. (0, 0) is the upper left pixel.
+    /// Writes `indices` into row `y`, from column `x` to the right. (0, 0) is the upper left pixel.
     ///
     /// # Errors
-    /// Pixels outside the screen, or indices beyond the colour table; nothing is written then.
+    /// Fails for pixels outside the screen, indices beyond the colour table, and what the device reports. In the first
+    /// two cases nothing is written.
     fn put_pixels(&mut self, x: u32, y: u32, indices: &[u8]) -> Result<(), Self::Error>;
 
-    /// Makes visible all that was set and put so far. Devices that show at once need not implement it.
+    /// Makes visible all colours and pixels sent so far. A device that shows them at once keeps the default, which does
+    /// nothing.
     ///
     /// # Errors
-    /// Those of the device.
+    /// Fails where the device reports an error.
     fn update(&mut self) -> Result<(), Self::Error> {
         Ok(())
     }
 }
 
-/// A display that can tell what it holds.
+/// A display whose colour table and pixels can be read.
 pub trait ReadBack: Display {
-    /// Reads entries of the colour table, from `first` up.
+    /// Reads as many entries of the colour table as `colors` is long, from `first` up.
     ///
     /// # Errors
-    /// Entries beyond the table.
+    /// Fails for entries beyond the table and for what the device reports.
     fn read_colors(&mut self, first: u8, colors: &mut [Rgb<u8>]) -> Result<(), Self::Error>;
 
-    /// Reads the indices of one row, from column `x` to the right.
+    /// Reads as many indices of row `y` as `indices` is long, from column `x` to the right.
     ///
     /// # Errors
-    /// Pixels outside the screen.
+    /// Fails for pixels outside the screen and for what the device reports.
     fn read_pixels(&mut self, x: u32, y: u32, indices: &mut [u8]) -> Result<(), Self::Error>;
 }
 
@@ -138,39 +144,39 @@ impl<D: ReadBack + ?Sized> ReadBack for &mut D {
     }
 }
 
-/// What the drivers refuse, and what their device reports (`E`).
+/// The error of a driver: what it refuses itself, or what its device reports (`E`).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum DriverError<E> {
-    /// Pixels outside the screen.
+    /// Pixels outside the screen were asked for.
     OutOfBounds {
-        /// First column.
+        /// Column of the first pixel.
         x: u32,
-        /// Row.
+        /// Row of the pixels.
         y: u32,
         /// Number of pixels.
         len: usize,
     },
-    /// Entries beyond the colour table.
+    /// Entries beyond the colour table were asked for.
     ColorTable {
         /// First entry.
         first: u8,
         /// Number of entries.
         len: usize,
     },
-    /// A level that the guns do not have.
+    /// A colour has a level that the guns do not have.
     Level {
         /// The level asked for.
         level: u8,
-        /// The highest there is.
+        /// The highest level of the guns.
         max: u8,
     },
-    /// A pixel's index that the colour table does not have.
+    /// The index of a pixel names no entry of the colour table.
     Index {
         /// The index asked for.
         index: u8,
     },
-    /// The device's own error.
+    /// The error that the device reports.
     Device(E),
 }
 
@@ -203,8 +209,8 @@ impl<E> From<E> for DriverError<E> {
     }
 }
 
-/// The 8-bit level nearest to `level` of a gun whose highest level is `max`: what a linear (analogue)
-/// DAC shows, for pictures with 8 bits a register. `max` must not be 0; levels above it give 255.
+/// Converts `level`, 0..=`max`, of a gun to the nearest of the levels 0..=255, for picture files with 8 bits a
+/// register. The scale is linear, as that of a DAC. Levels of `max` and above give 255; `max` is at least 1.
 ///
 /// ```
 /// use rta_drivers::display::expand;

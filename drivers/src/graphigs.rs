@@ -99,7 +99,7 @@ pub type Pair = (u32, u32);
 ///
 /// A call that fails changes nothing. Each call lists its errors by the numbers of [`GpError::number`].
 ///
-/// Three errors come back at most of them: 2 while graPHIGS is not open, 3 while no workstation is open, and 25 if
+/// Three errors are common to most calls: 2 while graPHIGS is not open, 3 while no workstation is open, and 25 if
 /// the workstation that is open has another identifier than `wsid`.
 pub trait Graphigs {
     /// Open graPHIGS.

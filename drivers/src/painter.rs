@@ -1,15 +1,15 @@
-//! Draws: the one user of [`Display`] and [`ColorTable`], for emulated and real devices alike.
+//! Draws rows of gun levels on any display through any colour table.
 
 use rta_core::color::Rgb;
 
 use crate::display::Display;
 use crate::quantize::ColorTable;
 
-/// Pixels written at once; they wait on the stack.
+/// Pixels quantised and written at a time, in a buffer of as many bytes on the stack.
 const CHUNK: usize = 64;
 
-/// Puts gun levels on a display: quantises them, loads the colours that the table has newly made, and
-/// writes the pixels, in this order, so that no pixel is ever shown in a colour not its own.
+/// Puts gun levels on a display. It quantises them, loads the entries that the colour table has appended, and writes
+/// the pixels, in this order, so that no pixel is ever shown in a colour that is not its own.
 ///
 /// ```
 /// use rta_core::color::Rgb;
@@ -34,26 +34,27 @@ const CHUNK: usize = 64;
 pub struct Painter<D, T> {
     display: D,
     table: T,
-    /// Entries of the table that the display has.
+    /// How many entries of the table the display has loaded.
     loaded: usize,
 }
 
 impl<D: Display, T: ColorTable> Painter<D, T> {
-    /// Takes a display and a table and loads the entries that the table already has.
+    /// Takes a display and a colour table and loads the entries that the table already has.
     ///
     /// # Errors
-    /// Those of [`Display::set_colors`]: the table is larger than the display's.
+    /// Those of [`Display::set_colors`]; among them, the table has more entries than the display's, or levels beyond
+    /// its guns.
     pub fn new(display: D, table: T) -> Result<Self, D::Error> {
         let mut painter = Self { display, table, loaded: 0 };
         painter.load_new_colors()?;
         Ok(painter)
     }
 
-    /// Draws gun levels, each register 0..=gun_max of the display, from (`x`, `y`) to the right. A row
-    /// need not be whole: one pixel at a time is allowed.
+    /// Draws pixels of row `y` from column `x` to the right, given as gun levels of 0..=`gun_max` of the display. Any
+    /// part of a row may be drawn by one call, also a single pixel.
     ///
     /// # Errors
-    /// Those of the display; the row may then be drawn in part.
+    /// Those of [`Display::set_colors`] and [`Display::put_pixels`]; some of the pixels may be drawn then.
     pub fn put_row(
         &mut self,
         x: u32,
@@ -65,7 +66,7 @@ impl<D: Display, T: ColorTable> Painter<D, T> {
         loop {
             let mut indices = heapless::Vec::<u8, CHUNK>::new();
             for levels in levels.by_ref().take(CHUNK) {
-                // There is room for as many as are taken.
+                // Never full: no more are taken than the buffer holds.
                 let _ = indices.push(self.table.index(levels));
             }
             if indices.is_empty() {
@@ -73,7 +74,7 @@ impl<D: Display, T: ColorTable> Painter<D, T> {
             }
             self.load_new_colors()?;
             self.display.put_pixels(x, y, &indices)?;
-            // Beyond u32 nothing is on a screen: the display refuses the next pixel.
+            // No screen has a column u32::MAX, so the display refuses a pixel after saturation.
             x = x.saturating_add(u32::try_from(indices.len()).unwrap_or(u32::MAX));
         }
     }
@@ -81,31 +82,33 @@ impl<D: Display, T: ColorTable> Painter<D, T> {
     /// Makes visible all that was drawn so far.
     ///
     /// # Errors
-    /// Those of the display.
+    /// Those of [`Display::update`].
     pub fn update(&mut self) -> Result<(), D::Error> {
         self.display.update()
     }
 
-    /// The display.
+    /// Borrows the display.
     pub fn display(&self) -> &D {
         &self.display
     }
 
-    /// The display, to be read or driven in between.
+    /// Borrows the display to read it or to draw on it directly. Entries of the colour table that the painter has
+    /// loaded must stay as they are.
     pub fn display_mut(&mut self) -> &mut D {
         &mut self.display
     }
 
-    /// The colour table.
+    /// Borrows the colour table.
     pub fn table(&self) -> &T {
         &self.table
     }
 
-    /// Gives both back.
+    /// Gives the display and the colour table back.
     pub fn into_parts(self) -> (D, T) {
         (self.display, self.table)
     }
 
+    /// Loads the entries that the table has appended since the last call.
     fn load_new_colors(&mut self) -> Result<(), D::Error> {
         let entries = self.table.entries();
         if let (Some(new @ [_, ..]), Ok(first)) = (entries.get(self.loaded..), u8::try_from(self.loaded)) {

@@ -1,14 +1,14 @@
 //! Quantisation: from the levels of three guns to an index of the colour table.
 //!
-//! Two tables. [`Uniform`] is a fixed cube: the same for every picture, known before it is drawn.
-//! [`Adaptive`] is the thesis's: built while the picture is drawn.
+//! There are two colour tables. [`Uniform`] is a fixed cube of colours, known before the picture is drawn.
+//! [`Adaptive`], the one of the thesis, is built while the picture is drawn.
 //!
-//! Index 0 is black in both. It is the background of a graPHIGS workstation, the border of a VGA screen
-//! (overscan, attribute register 11h = 0) and what cleared memory shows on all three devices; a table
-//! that put the picture's first colour there would tint all that is not drawn yet.
+//! Entry 0 is black in both. It is the background of a graPHIGS workstation, the border of a VGA screen (attribute
+//! register 11h, overscan, is 0) and what cleared memory shows on all three devices. A table that put the first
+//! colour of the picture there would tint all that is not drawn yet.
 //!
-//! Distance is squared Euclidean in gun levels (at most 3 * 255^2); of equally near entries the lowest
-//! index wins, so the same picture always gives the same indices.
+//! The distance of two colours is the squared Euclidean one in gun levels, at most 3 * 255^2. Of equally near entries
+//! the one of the lowest index is taken, so a picture always gives the same indices.
 
 mod adaptive;
 
@@ -18,20 +18,20 @@ use rta_core::color::Rgb;
 
 pub use adaptive::Adaptive;
 
-/// Most entries a table can have: an index is one byte.
+/// The most entries that a table can have, because an index is one byte.
 pub const MAX_COLORS: u16 = 256;
 
-/// Black: entry 0 of every table here.
+/// Black, which is entry 0 of every table of this module.
 pub const BACKGROUND: Rgb<u8> = Rgb::new(0, 0, 0);
 
-/// A colour table that is asked for the index of a colour.
+/// A colour table that finds an entry for every colour.
 pub trait ColorTable {
-    /// The index of the entry that stands for `levels`. May append entries, never changes or removes
-    /// one.
+    /// Returns the index of the entry that stands for `levels`. The table may append entries to do so; it never changes
+    /// or removes one.
     fn index(&mut self, levels: Rgb<u8>) -> u8;
 
-    /// The entries so far, at least one. Those beyond the length seen before are new: a driver loads
-    /// them while the picture is being drawn (see [`crate::painter::Painter`]).
+    /// Returns the entries so far, at least one and at most [`MAX_COLORS`]. They only grow in number, so the entries
+    /// beyond the last length are the new ones; [`crate::painter::Painter`] loads those while the picture is drawn.
     fn entries(&self) -> &[Rgb<u8>];
 }
 
@@ -44,7 +44,7 @@ impl<T: ColorTable + ?Sized> ColorTable for &mut T {
     }
 }
 
-/// A colour table cannot be made.
+/// Why a colour table cannot be made.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum TableError {
@@ -55,7 +55,7 @@ pub enum TableError {
         /// The fewest the table can have; the most is [`MAX_COLORS`].
         min: u16,
     },
-    /// A gun with level 0 only.
+    /// The guns have no level but 0.
     Guns,
 }
 
@@ -72,7 +72,7 @@ impl fmt::Display for TableError {
 
 impl core::error::Error for TableError {}
 
-/// Squared distance of two colours, in squared gun levels: 0..=195075.
+/// Returns the squared distance of two colours in squared gun levels, 0..=195075.
 pub fn distance(a: Rgb<u8>, b: Rgb<u8>) -> u32 {
     let square = |a: u8, b: u8| {
         let d = u32::from(a.abs_diff(b));
@@ -81,8 +81,9 @@ pub fn distance(a: Rgb<u8>, b: Rgb<u8>) -> u32 {
     square(a.r, b.r) + square(a.g, b.g) + square(a.b, b.b)
 }
 
-/// The entry nearest to `levels` and its squared distance. Ties go to the lowest index; no entries at
-/// all give index 0 at the greatest distance. Only the first 256 entries are looked at.
+/// Returns the index of the entry nearest to `levels` and its squared distance (see [`distance`]). Of equally near
+/// entries the one of the lowest index is taken. Only the first 256 entries are searched; if there are none the
+/// answer is index 0 at a distance of [`u32::MAX`].
 pub fn nearest(entries: &[Rgb<u8>], levels: Rgb<u8>) -> (u8, u32) {
     let mut best = (0, u32::MAX);
     for (index, &entry) in (0..=u8::MAX).zip(entries) {
@@ -94,18 +95,21 @@ pub fn nearest(entries: &[Rgb<u8>], levels: Rgb<u8>) -> (u8, u32) {
     best
 }
 
-/// A fixed cube of evenly spaced levels: 6 x 7 x 6 = 252 entries of 256 colours, 5 x 5 x 5 = 125 of 128.
+/// A fixed cube of evenly spaced levels, red x green x blue: 6 x 7 x 6 = 252 entries where there is room for 256
+/// colours, 5 x 5 x 5 = 125 where there is room for 128.
 ///
-/// The sides differ by one at most and green, to which the eye is most sensitive, has the first of the
-/// spare ones. The answer is the nearest entry of the cube, exactly. Takes 771 bytes.
+/// The sides differ by one at most; green, to which the eye is most sensitive, is the first to get one level more. The
+/// entry found for a colour is always the nearest of the cube. The table takes 771 bytes.
 #[derive(Clone, Debug)]
 pub struct Uniform {
+    /// The cube, in which blue varies fastest and red slowest, then unused entries.
     entries: [Rgb<u8>; MAX_COLORS as usize],
+    /// Levels of each gun in the cube, at least 2.
     sides: Rgb<u8>,
 }
 
 impl Uniform {
-    /// The largest cube within `colors` entries for guns of `gun_max` + 1 levels.
+    /// Makes the largest cube that has at most `colors` entries, for guns of levels 0..=`gun_max`.
     ///
     /// # Errors
     /// [`TableError::Colors`] unless `colors` is 8..=256; [`TableError::Guns`] if `gun_max` is 0.
@@ -120,7 +124,8 @@ impl Uniform {
         if gun_max == 0 {
             return Err(TableError::Guns);
         }
-        // Raise one side after another, round after round, while the cube fits: green, red, blue, at most 7 x 6 x 6.
+        // The sides grow by one level in turn (green, red, blue) as long as the cube has at most `colors` entries and
+        // the guns have the levels: up to 7, 6 and 6.
         let mut sides = [2_u8; 3];
         let mut raised = 0;
         let most = gun_max.saturating_add(1);
@@ -151,13 +156,14 @@ impl Uniform {
         Ok(Self { entries, sides })
     }
 
-    /// Levels of each gun that the cube has.
+    /// Returns how many levels of red, green and blue the cube has, 2..=7 each.
     pub fn sides(&self) -> Rgb<u8> {
         self.sides
     }
 }
 
-/// Level `step` of `side` evenly spaced ones (`side` > 1), rounded to the nearest.
+/// Returns level number `step` of `side` evenly spaced ones from 0 to `gun_max`, rounded to the nearest. `side` is at
+/// least 2.
 #[allow(clippy::cast_possible_truncation, reason = "a step is below 7, so the quotient is at most gun_max")]
 const fn level(step: usize, side: u8, gun_max: u8) -> u8 {
     let (step, last, max) = (step as u32, side as u32 - 1, gun_max as u32);
@@ -165,9 +171,9 @@ const fn level(step: usize, side: u8, gun_max: u8) -> u8 {
 }
 
 impl Uniform {
-    /// The index of the entry nearest to `levels`.
+    /// Returns the index of the entry nearest to `levels`; of equally near ones, that of the lowest index.
     pub fn nearest(&self, levels: Rgb<u8>) -> u8 {
-        // The guns are independent, so the nearest entry is the nearest level of each.
+        // The cube has every combination of its levels, so the nearest entry is made of the nearest level of each gun.
         let (green, blue) = (u16::from(self.sides.g), u16::from(self.sides.b));
         let r = self.step(0, green * blue, levels.r);
         let g = self.step(1, blue, levels.g);
@@ -176,14 +182,18 @@ impl Uniform {
         ((r * green + g) * blue + b).to_le_bytes()[0]
     }
 
-    /// The step of a gun (0 is red, 1 green, 2 blue), `stride` entries each, whose level is nearest to `wanted`; the lower
-    /// of two equally near. A gun's levels rise until they begin anew, so the search ends where they leave.
-    #[cfg_attr(target_os = "none", inline(never))] // three guns ask
+    /// Returns which of the levels of `gun` (0 is red, 1 green, 2 blue) in the cube is nearest to `wanted`, counted
+    /// from the lowest; of two equally near ones the lower. `stride` is the number of entries from one level to the
+    /// next.
+    // One call for each gun: firmware, where size counts, holds this loop once and not three times.
+    #[cfg_attr(target_os = "none", inline(never))]
     fn step(&self, gun: usize, stride: u16, wanted: u8) -> u16 {
         let mut best = (0, u8::MAX);
         for (step, entry) in (0_u16..).zip(self.entries.iter().step_by(usize::from(stride))) {
             let level = [entry.r, entry.g, entry.b].get(gun).copied().unwrap_or(0);
             let d = level.abs_diff(wanted);
+            // The levels of a gun rise until the cube begins anew with level 0, so once the distance no longer shrinks
+            // no later level is nearer.
             if step > 0 && d >= best.1 {
                 break;
             }
@@ -192,6 +202,7 @@ impl Uniform {
         best.0
     }
 
+    /// The entries of the cube.
     fn cube(&self) -> &[Rgb<u8>] {
         let len = usize::from(self.sides.r) * usize::from(self.sides.g) * usize::from(self.sides.b);
         self.entries.get(..len).unwrap_or(&self.entries)
@@ -207,7 +218,7 @@ impl ColorTable for Uniform {
     }
 }
 
-/// The cube never changes, so one in flash will do.
+/// The cube never changes, so a shared reference to one, in flash for example, is a colour table too.
 impl ColorTable for &Uniform {
     fn index(&mut self, levels: Rgb<u8>) -> u8 {
         self.nearest(levels)

@@ -4,18 +4,18 @@ use rta_core::color::Rgb;
 
 use super::{BACKGROUND, ColorTable, MAX_COLORS, TableError, nearest};
 
-/// Slots of the memory of colours already looked up; a power of two, at most 256.
+/// Entries of the cache of colours already looked up: as many as a hash of one byte can name.
 const SLOTS: usize = 256;
 
-/// The thesis's colour table (rta-model, "Devices of the thesis"): a colour that the table has is used
-/// again, a new one is appended while there is room, and once the table is full the nearest entry stands
-/// for it.
+/// The colour table of the thesis, whose display program (its module RTA2) builds the table while it draws. A colour
+/// that the table has is used again, a new one is appended while there is room, and once the table is full the
+/// nearest entry stands for it.
 ///
-/// A smooth sky can use up the table before anything below it is drawn. With a [`tolerance`] an entry
-/// that is near enough is used again instead of appending another; 0, the default, is the thesis's way.
+/// A smooth sky can use up the table before anything below it is drawn. With a [`tolerance`], an entry that is near
+/// enough is used again instead of appending another; with 0, the default, the table is that of the thesis.
 ///
-/// Takes 1804 bytes (768 of entries, 1024 of colours already looked up): it fits a machine with
-/// 16 KiB of RAM.
+/// The table takes 1804 bytes, of which 768 are its entries and 1024 a cache of colours already looked up, so it fits a
+/// machine with 16 KiB of RAM.
 ///
 /// [`tolerance`]: Adaptive::with_tolerance
 ///
@@ -32,25 +32,28 @@ const SLOTS: usize = 256;
 #[derive(Clone, Debug)]
 pub struct Adaptive {
     entries: [Rgb<u8>; MAX_COLORS as usize],
+    /// Entries so far, at least 1.
     len: u16,
+    /// The most entries that the table may have.
     colors: u16,
+    /// Squared distance up to which an entry is used again although the colour is another.
     tolerance: u32,
-    /// The colour asked for last and its index: neighbouring pixels are often equal.
-    last: Found,
-    /// Answers that can no longer change, one in each slot; see [`slot`]. Slots start with the
-    /// background at index 0, which is true.
-    found: [Found; SLOTS],
+    /// The answer given last, because neighbouring pixels are often equal.
+    last: Answer,
+    /// Answers that can no longer change, each at the place that [`slot`] gives its colour. All start as that of black,
+    /// which is entry 0.
+    cache: [Answer; SLOTS],
 }
 
 /// A colour and the index that stands for it.
 #[derive(Clone, Copy, Debug)]
-struct Found {
+struct Answer {
     levels: Rgb<u8>,
     index: u8,
 }
 
 impl Adaptive {
-    /// A table of at most `colors` entries that has the background only.
+    /// Makes a table of at most `colors` entries, of which it has the first, black.
     ///
     /// # Errors
     /// [`TableError::Colors`] unless `colors` is 1..=256.
@@ -58,20 +61,23 @@ impl Adaptive {
         if colors == 0 || colors > MAX_COLORS {
             return Err(TableError::Colors { colors, min: 1 });
         }
-        let background = Found { levels: BACKGROUND, index: 0 };
+        let background = Answer { levels: BACKGROUND, index: 0 };
         Ok(Self {
             entries: [BACKGROUND; MAX_COLORS as usize],
             len: 1,
             colors,
             tolerance: 0,
             last: background,
-            found: [background; SLOTS],
+            cache: [background; SLOTS],
         })
     }
 
-    /// The same table for guns of `gun_max` + 1 levels, with a small tolerance: what is within 6 of 255 levels of an
-    /// entry shares it, so that a smooth sky leaves room for what is below it. The shipped scenes lose least by 4 to 12;
-    /// on guns of 16 levels it is less than one, which makes no difference.
+    /// Makes a table of at most `colors` entries with a small tolerance, for guns of levels 0..=`gun_max`. A colour
+    /// shares an entry that is as near as one whose three levels all differ by 6/255 of the guns' range, or nearer.
+    /// So a smooth sky leaves room for what is below it.
+    ///
+    /// The 6 was chosen by the shipped scenes, whose pictures lose least with 4 to 12. On guns of 16 levels the
+    /// tolerance is less than one level, so the table is that of [`Adaptive::new`].
     ///
     /// # Errors
     /// [`TableError::Colors`] unless `colors` is 1..=256.
@@ -85,27 +91,27 @@ impl Adaptive {
         }
     }
 
-    /// Uses an existing entry within `tolerance`, in squared gun levels (see [`super::distance`]),
-    /// before it appends another.
+    /// Sets the squared distance, in squared gun levels (see [`super::distance`]), up to which an existing entry is
+    /// used instead of appending another.
     #[must_use]
     pub const fn with_tolerance(mut self, tolerance: u32) -> Self {
         self.tolerance = tolerance;
         self
     }
 
-    /// Appends `levels` and returns its index. There must be room.
+    /// Appends an entry and returns its index. The table must not be full.
     fn append(&mut self, levels: Rgb<u8>) -> u8 {
         if let Some(entry) = self.entries.get_mut(usize::from(self.len)) {
             *entry = levels;
         }
-        // len < colors <= 256 here, so the new index is one byte.
+        // `len` is below `colors` and so below 256: its low byte is all of it.
         let index = self.len.to_le_bytes()[0];
         self.len += 1;
         index
     }
 }
 
-/// Where the answer for `levels` is kept: a hash of the three levels.
+/// Returns the place of a colour in the cache: a hash of its three levels.
 fn slot(levels: Rgb<u8>) -> usize {
     let hash = levels
         .r
@@ -121,24 +127,24 @@ impl ColorTable for Adaptive {
             return self.last.index;
         }
         let slot = slot(levels);
-        let index = match self.found.get(slot) {
-            Some(found) if found.levels == levels => found.index,
+        let index = match self.cache.get(slot) {
+            Some(cached) if cached.levels == levels => cached.index,
             _ => {
                 let (near, distance) = nearest(self.entries(), levels);
                 let full = self.len >= self.colors;
                 let append = !full && distance > self.tolerance;
                 let index = if append { self.append(levels) } else { near };
-                // An entry that is near but not equal may be bettered while entries are still being
-                // appended: only answers that last are kept.
+                // While entries are still appended, one of them may become nearer than an entry that is near but not
+                // equal. Only answers that cannot change are kept.
                 if (append || full || distance == 0)
-                    && let Some(found) = self.found.get_mut(slot)
+                    && let Some(cached) = self.cache.get_mut(slot)
                 {
-                    *found = Found { levels, index };
+                    *cached = Answer { levels, index };
                 }
                 index
             }
         };
-        self.last = Found { levels, index };
+        self.last = Answer { levels, index };
         index
     }
 
