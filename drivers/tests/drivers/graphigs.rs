@@ -174,7 +174,7 @@ fn rectangles_are_cut_at_the_board_and_to_its_depth() {
     // One row of two pixels: the middle and the right of the data's upper row.
     api.gpwrct(BOARD, (0, 0), (2, 1), array(3, 2, &data), (1, 1)).unwrap();
     assert_eq!(rows(&mut api), [[0, 0, 4, 5], [0; 4], [2, 3, 0, 0]]);
-    // The same data with the lowest row first.
+    // Data whose lowest row comes first.
     let image = PixelArray { x_size: 3, y_size: 2, order: PixelOrder::LeftRightBottomTop, data: &data[..] };
     api.gpwrct(BOARD, (1, 0), (3, 2), image, (0, 0)).unwrap();
     assert_eq!(rows(&mut api), [[0, 0, 4, 5], [0, 4, 5, 6], [2, 1, 2, 3]]);
