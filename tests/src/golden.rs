@@ -5,7 +5,7 @@
 //! change that is meant:
 //!
 //! ```text
-//! RTA_BLESS=1 cargo test -p rta-tests --test golden
+//! RTA_BLESS=1 cargo test -p rta-tests --test all golden
 //! ```
 //!
 //! and then look at what `git diff` says has changed.

@@ -1,5 +1,6 @@
 //! What holds rta together: an independent oracle, generated scenes, and how pictures are compared.
 
+pub mod baseline;
 pub mod boards;
 pub mod close;
 pub mod exact;

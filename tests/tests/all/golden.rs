@@ -1,6 +1,6 @@
 //! The shipped scenes on the three devices, byte for byte, and the float formats beside them.
 //!
-//! `RTA_BLESS=1 cargo test -p rta-tests --test golden` makes what is drawn now the golden pictures.
+//! `RTA_BLESS=1 cargo test -p rta-tests --test all golden` makes what is drawn now the golden pictures.
 
 use rta::device::Device;
 use rta::engine::Format;

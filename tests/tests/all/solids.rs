@@ -8,7 +8,6 @@ use rta_core::needs::Everything;
 use rta_core::ray::Ray;
 use rta_core::scene::{Object, Scene};
 use rta_core::vector::{UnitVector, Vector};
-use rta_core::{Q16, Q20};
 use rta_scenes::description::{Camera, Cone, Description, Surface, Triangle};
 use rta_scenes::narrow::{Narrowed, narrow};
 use rta_tests::measure::{Measure, direction, place, read_direction};
@@ -303,4 +302,4 @@ macro_rules! formats {
     };
 }
 
-formats!(q16: crate::Q16, q20: crate::Q20, f32: f32, f64: f64);
+formats!(q16: rta_core::Q16, q20: rta_core::Q20, f32: f32, f64: f64);

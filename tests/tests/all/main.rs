@@ -1,0 +1,28 @@
+//! What holds rta together, in one program, so that it is linked once. Each module is a theme; its name is a filter:
+//!
+//! ```text
+//! cargo test -p rta-tests --test all golden
+//! ```
+//!
+//! `accuracy`, `baseline` and `deterministic` are programs of their own: they are also run alone, and in release.
+
+mod analytic;
+mod baked;
+mod bounds;
+mod branches;
+mod cubes;
+mod devices;
+mod geometry;
+mod golden;
+mod hierarchy;
+mod invariance;
+mod models;
+mod needs;
+mod numbers;
+mod properties;
+mod report;
+mod sampling;
+mod single_rays;
+mod solids;
+mod stability;
+mod stack;
