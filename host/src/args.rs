@@ -8,16 +8,16 @@ pub use bench::{BenchArgs, Peer, TracedArgs};
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
-use crate::device::{Device, Target};
+use crate::commands::explain::Choice;
 use crate::engine::{Format, MAX_DEPTH, Model};
 use crate::error::Error;
-use crate::explain::Choice;
-use crate::picture::FileType;
-use crate::raster::{Aspect, Size};
+use crate::picture::device::{Device, Target};
+use crate::picture::file::FileType;
+use crate::picture::raster::{Aspect, Size};
+use crate::picture::screen::TableKind;
 use crate::request::Request;
-use crate::sampling::{Cutoff, Samples};
-use crate::scene::Scene;
-use crate::screen::TableKind;
+use crate::request::sampling::{Cutoff, Samples};
+use crate::request::scene_file::SceneFile;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -333,7 +333,7 @@ impl TracingArgs {
     ///
     /// # Errors
     /// Those of [`Request::for_scene`].
-    pub fn request_for(&self, target: Target, scene: &Scene) -> Result<Request, Error> {
+    pub fn request_for(&self, target: Target, scene: &SceneFile) -> Result<Request, Error> {
         self.request(target).for_scene(self.model, scene)
     }
 }

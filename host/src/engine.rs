@@ -14,8 +14,14 @@ use rta_core::{Error, Q16, Q20};
 use rta_scenes::description::{self, Description};
 use rta_scenes::narrow::{Narrow, NarrowError, Narrowed, narrow};
 
-use crate::sampling::Cutoff;
-use crate::tally::{Rays, Tally};
+pub mod bands;
+pub mod callgrind;
+pub mod interrupt;
+pub mod progress;
+pub mod tally;
+
+use crate::request::sampling::Cutoff;
+use tally::{Rays, Tally};
 
 /// The number format that a picture is computed in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, clap::ValueEnum)]

@@ -3,12 +3,12 @@
 use std::io;
 use std::path::{Path, PathBuf};
 
-use crate::check::Refusal;
-use crate::device::Device;
+use crate::commands::check::Refusal;
 use crate::engine::{EngineError, Format};
-use crate::fit::Hint;
-use crate::picture::FileType;
-use crate::raster::Size;
+use crate::picture::device::Device;
+use crate::picture::file::FileType;
+use crate::picture::raster::Size;
+use crate::request::fit::Hint;
 
 /// Everything that ends the program with an error. It prints as one line that names the file it is about.
 #[derive(Debug, thiserror::Error)]
@@ -59,7 +59,7 @@ pub enum Error {
         /// Rows.
         height: u32,
         /// The limits.
-        reason: crate::raster::RasterError,
+        reason: crate::picture::raster::RasterError,
     },
     /// The picture has more pixels than the device.
     #[error("{size} does not fit {device}, which has {}", device.size())]
@@ -75,7 +75,7 @@ pub enum Error {
         /// The picture.
         size: Size,
         /// The limits.
-        reason: crate::raster::RasterError,
+        reason: crate::picture::raster::RasterError,
     },
     /// The picture has no such pixel.
     #[error("pixel {x},{y} is outside the picture, which has columns 0 to {} and rows 0 to {}", size.width() - 1, size.height() - 1)]

@@ -6,8 +6,11 @@ use std::process::ExitCode;
 
 use clap::Parser;
 use rta::args::{Cli, Command, ShowArgs};
+use rta::commands::show::window;
+use rta::commands::{bake, check, explain, hash, render};
+use rta::engine::interrupt;
 use rta::error::Error;
-use rta::{bake, bench, check, explain, hash, interrupt, render, report, stability, window};
+use rta::study::{bench, report, stability};
 
 /// Status after any error.
 const FAILED: u8 = 2;

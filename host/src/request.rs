@@ -1,16 +1,20 @@
 //! What is asked for: a picture of a scene, on a display, traced in some way.
 
+pub mod fit;
+pub mod sampling;
+pub mod scene_file;
+
 use rta_core::sampling::Sampling;
 
-use crate::device::Target;
 use crate::engine::{Engine, Format, Model, Settings};
 use crate::error::Error;
-use crate::fit::Fit;
-use crate::picture::Caption;
-use crate::raster::{Aspect, Size};
-use crate::sampling::Cutoff;
-use crate::scene::Scene;
-use crate::screen::TableKind;
+use crate::picture::device::Target;
+use crate::picture::file::Caption;
+use crate::picture::raster::{Aspect, Size};
+use crate::picture::screen::TableKind;
+use crate::request::fit::Fit;
+use crate::request::sampling::Cutoff;
+use crate::request::scene_file::SceneFile;
 
 /// What the options of a command say.
 #[derive(Clone, Debug, PartialEq)]
@@ -43,7 +47,7 @@ impl Request {
     ///
     /// # Errors
     /// [`Error::SceneSize`].
-    pub fn for_scene(mut self, asked: Option<Model>, scene: &Scene) -> Result<Self, Error> {
+    pub fn for_scene(mut self, asked: Option<Model>, scene: &SceneFile) -> Result<Self, Error> {
         self.model = asked.unwrap_or(scene.description.model.into());
         if let (Target::None, None, Some([width, height])) =
             (self.target, self.size, scene.description.raster)
@@ -88,7 +92,7 @@ impl Request {
     ///
     /// # Errors
     /// Those of [`Request::raster`], and [`Error::Engine`].
-    pub fn engine(&self, scene: &Scene) -> Result<Engine, Error> {
+    pub fn engine(&self, scene: &SceneFile) -> Result<Engine, Error> {
         let (size, aspect) = self.raster()?;
         let settings = Settings {
             width: size.width(),
@@ -107,7 +111,7 @@ impl Request {
 
     /// Words for a picture of `scene`.
     #[must_use]
-    pub fn caption(&self, scene: &Scene) -> Caption {
+    pub fn caption(&self, scene: &SceneFile) -> Caption {
         let Self { target, table, format, model, depth, cutoff, sampling, .. } = self;
         let table = match target {
             Target::On(_) => format!(", {table} colour table"),
@@ -129,9 +133,9 @@ impl Request {
 mod tests {
     use super::Request;
     use crate::args::ShowArgs;
-    use crate::device::{Device, Target};
     use crate::error::Error;
-    use crate::raster::Size;
+    use crate::picture::device::{Device, Target};
+    use crate::picture::raster::Size;
 
     fn request(target: Target, size: Option<&str>, aspect: Option<&str>) -> Request {
         let size = size.map(|text| text.parse().expect("a size"));

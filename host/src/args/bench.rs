@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::{Args, ValueEnum};
 
 use crate::engine::{Format, MAX_DEPTH};
-use crate::raster::Size;
+use crate::picture::raster::Size;
 
 /// `rta bench`.
 #[derive(Args, Clone, Debug)]

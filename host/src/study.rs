@@ -1,0 +1,6 @@
+//! Studies of the tracer itself: what its pictures cost, and what its number formats do to them.
+
+pub mod bench;
+pub mod paired;
+pub mod report;
+pub mod stability;
