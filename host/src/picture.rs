@@ -1,6 +1,7 @@
 //! Pictures: their size, the emulated devices that show them, and the files that they are written into.
 
 pub mod device;
+pub mod error;
 pub mod file;
 pub mod output;
 pub mod raster;

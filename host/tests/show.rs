@@ -36,13 +36,15 @@ fn keys_change_the_picture_and_back() {
     complete(&mut show);
     assert!(show.title().contains("juggler | vga | f32 | rta | depth 5 | tolerant | "), "{}", show.title());
     let first = pixels(&mut show);
+    // The key goes round in a circle.
+    let others = Model::ALL.len() - 1;
     for (there, back, word) in [
-        (vec![Command::Model], vec![Command::Model; 2], "| whitted |"),
+        (vec![Command::Model], vec![Command::Model; others], "| whitted |"),
         (vec![Command::Table], vec![Command::Table; 2], "| uniform |"),
         (vec![Command::Shallower; 5], vec![Command::Deeper; 5], "| depth 0 |"),
         (
             vec![Command::Format, Command::Model],
-            vec![Command::Format, Command::Format, Command::Format, Command::Model, Command::Model],
+            [vec![Command::Format; 3], vec![Command::Model; others]].concat(),
             "| f64 |",
         ),
     ] {

@@ -3,46 +3,24 @@
 //! Colours and levels, the two ray trees, the first decision that came out otherwise, and the operations that lost most.
 
 use core::fmt::{self, Display, Write as _};
-use core::str::FromStr;
-use std::io::{self, Write as _};
 
 use rta_core::illumination::RayKind;
 use rta_scenes::description::Description;
 
-use crate::args::ExplainArgs;
+use crate::args::{Choice, ExplainArgs};
 use crate::engine::{EngineError, Format, Settings};
 use crate::error::Error;
 use crate::picture::device::Target;
+use crate::picture::output;
 use crate::picture::raster::Size;
 use crate::request::fit::Fit;
 use crate::request::scene_file::SceneFile;
 use crate::study::paired::log::{Flip, Log, Operation};
-use crate::study::paired::trail::{GUNS, Met, Pixel, Shine, Step, lock_step, picture, pixels};
+use crate::study::paired::ray_tree::{HitKind, Step, Visibility};
+use crate::study::paired::trail::{GUNS, Pixel, lock_step, picture, pixels};
 
 /// Operations that are printed.
 const OPERATIONS: usize = 10;
-
-/// Which pixel.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Choice {
-    /// Column from the left and row from the top, both from 0.
-    At(u32, u32),
-    /// The one whose colour is farthest off.
-    Worst,
-}
-
-impl FromStr for Choice {
-    type Err = &'static str;
-
-    fn from_str(text: &str) -> Result<Self, Self::Err> {
-        const EXPECTED: &str = "expected X,Y from 0,0 in the upper left corner, or worst";
-        if text == "worst" {
-            return Ok(Self::Worst);
-        }
-        let (x, y) = text.split_once(',').ok_or(EXPECTED)?;
-        Ok(Self::At(x.parse().map_err(|_| EXPECTED)?, y.parse().map_err(|_| EXPECTED)?))
-    }
-}
 
 /// A pixel in a number format and in `f64`.
 #[derive(Debug)]
@@ -117,7 +95,7 @@ pub fn run(args: &ExplainArgs) -> Result<(), Error> {
     let explanation = explanation.ok_or(Error::PixelOutside { x, y, size })?;
     let title = format!("{}, pixel {x},{y} of {size}, model {model}, depth {depth}\n\n", scene.title);
     let text = format!("{title}{explanation}");
-    io::stdout().write_all(text.as_bytes()).map_err(|source| Error::write("standard output".as_ref(), source))
+    Ok(output::print(&text)?)
 }
 
 fn inside(size: Size, x: u32, y: u32) -> Result<(), Error> {
@@ -191,11 +169,11 @@ fn branch(step: &Step) -> String {
 
 /// What it met.
 fn meeting(step: &Step) -> String {
-    let mut text = match step.met {
-        Met::Sky => "sky".into(),
-        Met::Floor { odd: true } => "odd tile".into(),
-        Met::Floor { odd: false } => "even tile".into(),
-        Met::Object(object) => object.to_string(),
+    let mut text = match step.hit {
+        HitKind::Sky => "sky".into(),
+        HitKind::Floor { odd: true } => "odd tile".into(),
+        HitKind::Floor { odd: false } => "even tile".into(),
+        HitKind::Object(object) => object.to_string(),
     };
     if let Some(distance) = step.distance {
         // Writing to a string does not fail.
@@ -210,9 +188,9 @@ fn meeting(step: &Step) -> String {
     for lamp in &step.lamps {
         text.push(' ');
         match *lamp {
-            Shine::Behind => text.push('-'),
-            Shine::Faint => text.push('~'),
-            Shine::Front { part, glint } => {
+            Visibility::Behind => text.push('-'),
+            Visibility::Faint => text.push('~'),
+            Visibility::Front { part, glint } => {
                 let _ = write!(text, "{}", (part * 1000.0).round() / 1000.0);
                 text.push_str(if glint { "*" } else { "" });
             }

@@ -24,5 +24,5 @@ pub fn run(args: &HashArgs) -> Result<(), Error> {
         Work::new(&request, &scene, args.tracing.threads, interrupt::watch())?.checksum(args.device)?;
     let caption = request.caption(&scene);
     let line = format!("{hash:016x}  {}, {size}, {}\n", caption.title, caption.settings);
-    output::write_text(Path::new("-"), &line)
+    Ok(output::write_text(Path::new("-"), &line)?)
 }

@@ -10,11 +10,12 @@ use rta_drivers::painter::Painter;
 
 use crate::args::RenderArgs;
 use crate::engine::Engine;
-use crate::engine::bands;
+use crate::engine::bands::{self, BandsError};
 use crate::engine::interrupt;
 use crate::engine::progress::Progress;
 use crate::error::Error;
 use crate::picture::device::{Device, Target};
+use crate::picture::error::PictureError;
 use crate::picture::file::{
     Caption, Displayed, FileType, Pixels, bytes, flip, write_light, write_pfm_header, write_png_rows,
     write_ppm_header,
@@ -35,13 +36,22 @@ pub fn run(args: &RenderArgs) -> Result<(), Error> {
     let output = Output::open(&args.output, args.file_type)?;
     let file_type = output.file_type();
     if let (FileType::Pfm, Target::On(device)) = (file_type, args.device) {
-        return Err(Error::LinearFromDevice(device));
+        return Err(PictureError::LinearFromDevice(device).into());
     }
     let scene = SceneFile::open(&args.scene)?;
     let request = args.tracing.request_for(args.device, &scene)?;
     let work = Work::new(&request, &scene, args.tracing.threads, interrupt::watch())?;
     let caption = request.caption(&scene);
     output.fill(|out| work.write(file_type, &caption, out))
+}
+
+impl<T> From<T> for Failure<Error>
+where
+    Error: From<T>,
+{
+    fn from(error: T) -> Self {
+        Self::Other(error.into())
+    }
 }
 
 /// A picture about to be traced.
@@ -58,7 +68,7 @@ impl<'a> Work<'a> {
     /// Makes everything ready that a picture of `scene` needs.
     ///
     /// # Errors
-    /// Those of [`Request::engine`], and [`Error::Threads`].
+    /// Those of [`Request::engine`], and [`BandsError::Threads`].
     pub fn new(
         request: &'a Request,
         scene: &SceneFile,
@@ -70,7 +80,12 @@ impl<'a> Work<'a> {
     }
 
     /// Traces the picture and writes it. Without a device only some bands of rows are held in memory.
-    fn write(&self, file_type: FileType, caption: &Caption, out: &mut dyn Write) -> Result<(), Failure> {
+    fn write(
+        &self,
+        file_type: FileType,
+        caption: &Caption,
+        out: &mut dyn Write,
+    ) -> Result<(), Failure<Error>> {
         match (file_type, self.request.target) {
             (FileType::Png, Target::On(_)) => Ok(self.displayed()?.write_png(caption, out)?),
             (FileType::Ppm, Target::On(_)) => Ok(self.displayed()?.write_ppm(out)?),
@@ -82,7 +97,7 @@ impl<'a> Work<'a> {
                     self.engine.linear_rows(self.size.height() - first - rows, light);
                     flip(light, self.size.columns());
                 };
-                self.trace(trace, |_, light| write_light(&light, out))
+                self.trace(trace, |_, light| Ok(write_light(&light, out)?))
             }
             (FileType::Png, Target::None) => write_png_rows(self.size, self.aspect, caption, out, |rows| {
                 self.direct(|pixels| rows.write_all(&bytes(pixels)))
@@ -95,7 +110,7 @@ impl<'a> Work<'a> {
     }
 
     /// Traces the picture with 8 bits a gun and hands it over in bands.
-    fn direct(&self, mut deliver: impl FnMut(&[Rgb<u8>]) -> io::Result<()>) -> Result<(), Failure> {
+    fn direct(&self, mut deliver: impl FnMut(&[Rgb<u8>]) -> io::Result<()>) -> Result<(), Failure<Error>> {
         let trace = |first, levels: &mut [_]| self.engine.level_rows(first, u8::MAX, levels);
         self.trace(trace, |_, levels| Ok(deliver(&levels)?))
     }
@@ -103,15 +118,15 @@ impl<'a> Work<'a> {
     /// Traces the picture as its display shows it.
     ///
     /// # Errors
-    /// [`Error::Interrupted`], [`Error::Memory`] and [`Error::Display`].
+    /// [`BandsError::Interrupted`], [`PictureError::Memory`] and [`PictureError::Display`].
     pub fn displayed(&self) -> Result<Displayed, Error> {
         match self.request.target {
             Target::On(device) => {
                 let mut screen = Screen::new(device, self.request.table, self.size, self.aspect)?;
                 let gun_max = device.capabilities().gun_max;
                 let trace = |first, levels: &mut [_]| self.engine.level_rows(first, gun_max, levels);
-                self.trace(trace, |first, levels| screen.put_rows(first, &levels))?;
-                screen.picture()
+                self.trace(trace, |first, levels| Ok::<_, Error>(screen.put_rows(first, &levels)?))?;
+                Ok(screen.picture()?)
             }
             Target::None => {
                 let trace = |first, levels: &mut [_]| self.engine.level_rows(first, u8::MAX, levels);
@@ -124,17 +139,18 @@ impl<'a> Work<'a> {
     /// Traces the picture onto a device that nobody sees and returns the hash of what the device was sent.
     ///
     /// # Errors
-    /// [`Error::Interrupted`], [`Error::Memory`] and [`Error::Display`].
+    /// [`BandsError::Interrupted`], [`PictureError::Memory`] and [`PictureError::Display`].
     pub fn checksum(&self, device: Device) -> Result<u64, Error> {
         let capabilities = device.capabilities();
-        let table = Table(self.request.table.table(capabilities).map_err(Error::display)?);
-        let mut painter = Painter::new(Checksum::new(Unseen(capabilities)), table).map_err(Error::display)?;
+        let table = Table(self.request.table.table(capabilities).map_err(PictureError::display)?);
+        let mut painter =
+            Painter::new(Checksum::new(Unseen(capabilities)), table).map_err(PictureError::display)?;
         let trace = |first, levels: &mut [_]| self.engine.level_rows(first, capabilities.gun_max, levels);
         self.trace(trace, |first, levels| {
             let rows = (first..).zip(levels.chunks(self.size.columns()));
             rows.into_iter()
                 .try_for_each(|(y, row)| painter.put_row(0, y, row.iter().copied()))
-                .map_err(Error::display)
+                .map_err(|error| Error::from(PictureError::display(error)))
         })?;
         Ok(painter.display().value())
     }
@@ -142,7 +158,7 @@ impl<'a> Work<'a> {
     /// Traces the picture as linear light before any display.
     ///
     /// # Errors
-    /// [`Error::Interrupted`] and [`Error::Memory`].
+    /// [`BandsError::Interrupted`] and [`PictureError::Memory`].
     pub fn linear(&self) -> Result<Vec<Rgb<f32>>, Error> {
         self.collect(|first, light: &mut [_]| self.engine.linear_rows(first, light))
     }
@@ -152,7 +168,7 @@ impl<'a> Work<'a> {
         trace: impl Fn(u32, &mut [T]) + Sync,
     ) -> Result<Vec<T>, Error> {
         let mut pixels = Vec::new();
-        pixels.try_reserve_exact(self.size.pixels()).map_err(|_| Error::Memory(self.size))?;
+        pixels.try_reserve_exact(self.size.pixels()).map_err(|_| PictureError::Memory(self.size))?;
         self.trace(trace, |_, band| {
             pixels.extend(band);
             Ok::<_, Error>(())
@@ -160,7 +176,7 @@ impl<'a> Work<'a> {
         Ok(pixels)
     }
 
-    fn trace<T: Clone + Default + Send, E: From<Error>>(
+    fn trace<T: Clone + Default + Send, E: From<BandsError>>(
         &self,
         trace: impl Fn(u32, &mut [T]) + Sync,
         mut deliver: impl FnMut(u32, Vec<T>) -> Result<(), E>,

@@ -12,10 +12,11 @@ use std::time::Instant;
 use rayon::ThreadPool;
 use rta_core::color::Rgb;
 
-use crate::engine::bands;
-use crate::engine::{Format, MAX_DEPTH, Model};
+use crate::engine::MAX_DEPTH;
+use crate::engine::bands::{self, BandsError};
 use crate::error::Error;
 use crate::picture::device::{Device, Target};
+use crate::picture::error::PictureError;
 use crate::picture::file::Displayed;
 use crate::picture::output;
 use crate::picture::screen::Screen;
@@ -76,7 +77,7 @@ impl Show {
     /// Begins to trace `scene` for the screen of `device`.
     ///
     /// # Errors
-    /// Those of [`Request::engine`], [`Error::Threads`] and [`Error::Display`].
+    /// Those of [`Request::engine`], [`BandsError::Threads`] and [`PictureError::Display`].
     pub fn new(
         scene: SceneFile,
         device: Device,
@@ -110,7 +111,7 @@ impl Show {
     /// Puts the rows that are ready on the screen, for about as long as `budget`. True if there were any.
     ///
     /// # Errors
-    /// [`Error::Display`] if the device refuses them.
+    /// [`PictureError::Display`] if the device refuses them.
     pub fn advance(&mut self, budget: Duration) -> Result<bool, Error> {
         let until = Instant::now() + budget;
         let mut any = false;
@@ -137,9 +138,9 @@ impl Show {
     /// What the device shows now.
     ///
     /// # Errors
-    /// [`Error::Display`] if it does not answer.
+    /// [`PictureError::Display`] if it does not answer.
     pub fn picture(&mut self) -> Result<Displayed, Error> {
-        self.screen.picture()
+        Ok(self.screen.picture()?)
     }
 
     /// Does what a key asks for. What cannot be done is told in the title, and everything stays as it was. Returns
@@ -153,8 +154,8 @@ impl Show {
                 device = device.next();
                 request = Request { target: Target::On(device), size: None, aspect: None, ..request };
             }
-            Command::Model => request.model = next_model(request.model),
-            Command::Format => request.format = next_format(request.format),
+            Command::Model => request.model = request.model.next(),
+            Command::Format => request.format = request.format.next(),
             Command::Table => request.table = request.table.next(),
             Command::Deeper if request.depth < MAX_DEPTH => request.depth += 1,
             Command::Shallower if request.depth > 0 => request.depth -= 1,
@@ -182,12 +183,12 @@ impl Show {
     /// Saves what the device shows now as a new PNG in the current folder. Returns its name.
     ///
     /// # Errors
-    /// [`Error::Write`] and [`Error::Display`].
+    /// [`PictureError::Write`] and [`PictureError::Display`].
     pub fn save(&mut self) -> Result<String, Error> {
         let mut content = Vec::new();
         let stem = format!("rta-{}-{}", self.scene.title, self.device);
         let encoded = self.picture()?.write_png(&self.request.caption(&self.scene), &mut content);
-        encoded.map_err(|source| Error::write(stem.as_ref(), source))?;
+        encoded.map_err(|source| PictureError::write(stem.as_ref(), source))?;
         Ok(output::write_new(&stem, &content)?.display().to_string())
     }
 
@@ -224,26 +225,9 @@ fn begin(
     let (threads, stopped) = (Arc::clone(pool), Arc::clone(&stop));
     std::thread::spawn(move || {
         let trace = |first, levels: &mut [_]| engine.level_rows(first, gun_max, levels);
-        let deliver = |first, levels| sender.send((first, levels)).map_err(|_| Error::Interrupted);
+        let deliver = |first, levels| sender.send((first, levels)).map_err(|_| BandsError::Interrupted);
         // It ends early only if nobody waits for the rest.
         let _ = bands::bands(size, &threads, &stopped, trace, deliver);
     });
     Ok((screen, Tracing { bands, stop, began: Instant::now(), took: None, rows: 0 }))
-}
-
-const fn next_model(model: Model) -> Model {
-    match model {
-        Model::Rta => Model::Whitted,
-        Model::Whitted => Model::Phong,
-        Model::Phong => Model::Rta,
-    }
-}
-
-const fn next_format(format: Format) -> Format {
-    match format {
-        Format::F32 => Format::F64,
-        Format::F64 => Format::Q16,
-        Format::Q16 => Format::Q20,
-        Format::Q20 => Format::F32,
-    }
 }

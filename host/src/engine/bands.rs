@@ -4,21 +4,32 @@ use core::sync::atomic::{AtomicBool, Ordering};
 use std::collections::BTreeMap;
 use std::sync::mpsc;
 
-use rayon::ThreadPool;
 use rayon::iter::{ParallelBridge, ParallelIterator};
+use rayon::{ThreadPool, ThreadPoolBuildError};
 
-use crate::error::Error;
 use crate::picture::raster::Size;
 
 /// Pixels in a band, about: few enough that a band stops within milliseconds and that the last bands keep all
 /// threads busy, enough that handing them over costs nothing.
 const BAND_PIXELS: u32 = 2048;
 
+/// Why a picture is not traced to its end.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum BandsError {
+    /// The threads could not be started.
+    #[error("cannot start the threads: {0}")]
+    Threads(#[from] ThreadPoolBuildError),
+    /// An interrupt or a request to terminate arrived.
+    #[error("interrupted")]
+    Interrupted,
+}
+
 /// Threads for `count` bands at a time, or one for each core.
 ///
 /// # Errors
-/// [`Error::Threads`] if the system has none to give.
-pub fn pool(count: Option<u16>) -> Result<ThreadPool, Error> {
+/// [`BandsError::Threads`] if the system has none to give.
+pub fn pool(count: Option<u16>) -> Result<ThreadPool, BandsError> {
     let count = count.map_or(0, usize::from);
     Ok(rayon::ThreadPoolBuilder::new().num_threads(count).build()?)
 }
@@ -30,9 +41,9 @@ pub fn pool(count: Option<u16>) -> Result<ThreadPool, Error> {
 /// what it sees does not depend on the number of threads.
 ///
 /// # Errors
-/// [`Error::Interrupted`] soon after `stop` becomes true, and the first error of `deliver`, which also ends the
+/// [`BandsError::Interrupted`] soon after `stop` becomes true, and the first error of `deliver`, which also ends the
 /// work.
-pub fn bands<T: Clone + Default + Send, E: From<Error>>(
+pub fn bands<T: Clone + Default + Send, E: From<BandsError>>(
     size: Size,
     pool: &ThreadPool,
     stop: &AtomicBool,
@@ -65,13 +76,13 @@ pub fn bands<T: Clone + Default + Send, E: From<Error>>(
             early.insert(first, (count, pixels));
             while let Some((count, pixels)) = early.remove(&next) {
                 if ended() {
-                    return Err(Error::Interrupted.into());
+                    return Err(BandsError::Interrupted.into());
                 }
                 deliver(next, pixels).inspect_err(|_| abandoned.store(true, Ordering::Relaxed))?;
                 next += count;
             }
         }
-        if next == size.height() { Ok(()) } else { Err(Error::Interrupted.into()) }
+        if next == size.height() { Ok(()) } else { Err(BandsError::Interrupted.into()) }
     })
 }
 
@@ -79,8 +90,7 @@ pub fn bands<T: Clone + Default + Send, E: From<Error>>(
 mod tests {
     use core::sync::atomic::{AtomicBool, AtomicU32, Ordering};
 
-    use super::{bands, pool};
-    use crate::error::Error;
+    use super::{BandsError, bands, pool};
     use crate::picture::raster::Size;
 
     fn pattern(width: u32, first: u32, pixels: &mut [u32]) {
@@ -101,7 +111,7 @@ mod tests {
                 let pool = pool(Some(threads)).expect("threads");
                 let mut seen = Vec::new();
                 let trace = |first, pixels: &mut [u32]| pattern(width, first, pixels);
-                let deliver = |first: u32, pixels: Vec<u32>| -> Result<(), Error> {
+                let deliver = |first: u32, pixels: Vec<u32>| -> Result<(), BandsError> {
                     assert_eq!(first as usize * size.columns(), seen.len());
                     seen.extend(pixels);
                     Ok(())
@@ -120,12 +130,12 @@ mod tests {
             traced.fetch_add(1, Ordering::Relaxed);
             std::thread::sleep(core::time::Duration::from_millis(1));
         };
-        let deliver = |first, _| -> Result<(), Error> {
+        let deliver = |first, _| -> Result<(), BandsError> {
             stop.store(first >= 10, Ordering::Relaxed);
             Ok(())
         };
         let outcome = bands(size, &pool(Some(2)).expect("threads"), &stop, trace, deliver);
-        assert!(matches!(outcome, Err(Error::Interrupted)), "{outcome:?}");
+        assert!(matches!(outcome, Err(BandsError::Interrupted)), "{outcome:?}");
         assert!(traced.into_inner() < 100);
     }
 
@@ -137,9 +147,19 @@ mod tests {
             traced.fetch_add(1, Ordering::Relaxed);
             std::thread::sleep(core::time::Duration::from_millis(1));
         };
-        let deliver = |_, _| Err(Error::BrokenPipe);
+        #[derive(Debug)]
+        enum Ended {
+            Bands,
+            Delivery,
+        }
+        impl From<BandsError> for Ended {
+            fn from(_: BandsError) -> Self {
+                Self::Bands
+            }
+        }
+        let deliver = |_, _| Err(Ended::Delivery);
         let outcome = bands(size, &pool(Some(2)).expect("threads"), &AtomicBool::new(false), trace, deliver);
-        assert!(matches!(outcome, Err(Error::BrokenPipe)), "{outcome:?}");
+        assert!(matches!(outcome, Err(Ended::Delivery)), "{outcome:?}");
         assert!(traced.into_inner() < 100);
     }
 }

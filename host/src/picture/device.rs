@@ -6,7 +6,7 @@ use clap::ValueEnum;
 use clap::builder::PossibleValue;
 use rta_drivers::display::Capabilities;
 
-use crate::picture::raster::Size;
+use super::raster::Size;
 
 /// A display of 1990.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]

@@ -9,8 +9,7 @@ use std::io::{self, Write};
 use clap::ValueEnum;
 use rta_core::color::Rgb;
 
-use crate::picture::output::Failure;
-use crate::picture::raster::{Size, fraction};
+use super::raster::{Size, fraction};
 
 /// The kinds of picture file that are written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -140,13 +139,13 @@ fn header<W: Write>(info: png::Info, caption: &Caption, out: W) -> io::Result<pn
 ///
 /// # Errors
 /// What `out` reports, and those of `fill`.
-pub fn write_png_rows(
+pub fn write_png_rows<E: From<io::Error>>(
     size: Size,
     aspect: f64,
     caption: &Caption,
     out: &mut dyn Write,
-    fill: impl FnOnce(&mut dyn Write) -> Result<(), Failure>,
-) -> Result<(), Failure> {
+    fill: impl FnOnce(&mut dyn Write) -> Result<(), E>,
+) -> Result<(), E> {
     let mut writer = header(info(size, aspect), caption, out)?;
     let mut rows = writer.stream_writer().map_err(io::Error::from)?;
     fill(&mut rows)?;
@@ -178,10 +177,10 @@ pub fn write_pfm_header(size: Size, out: &mut (impl Write + ?Sized)) -> io::Resu
 /// Writes linear light as a PFM has it.
 ///
 /// # Errors
-/// [`Failure::Write`].
-pub fn write_light(pixels: &[Rgb<f32>], out: &mut (impl Write + ?Sized)) -> Result<(), Failure> {
+/// What `out` reports.
+pub fn write_light(pixels: &[Rgb<f32>], out: &mut (impl Write + ?Sized)) -> io::Result<()> {
     let registers = pixels.iter().flat_map(|pixel| [pixel.r, pixel.g, pixel.b]);
-    Ok(out.write_all(&registers.flat_map(f32::to_le_bytes).collect::<Vec<u8>>())?)
+    out.write_all(&registers.flat_map(f32::to_le_bytes).collect::<Vec<u8>>())
 }
 
 /// Puts rows of `columns` pixels in the opposite order.
@@ -204,7 +203,6 @@ mod tests {
     use super::{
         Caption, Displayed, FileType, Pixels, bytes, flip, write_light, write_pfm_header, write_png_rows,
     };
-    use crate::picture::output::Failure;
     use crate::picture::raster::Size;
 
     const RED: Rgb<u8> = Rgb::new(255, 0, 0);
@@ -288,9 +286,7 @@ mod tests {
         let size = Size::new(2, 3).expect("small");
         let pixels = [RED, GRAY, GRAY, RED, RED, GRAY];
         let mut file = Vec::new();
-        let fill = |rows: &mut dyn Write| {
-            pixels.chunks(4).try_for_each(|part| rows.write_all(&bytes(part))).map_err(Failure::Write)
-        };
+        let fill = |rows: &mut dyn Write| pixels.chunks(4).try_for_each(|part| rows.write_all(&bytes(part)));
         write_png_rows(size, size.ratio(), &Caption::default(), &mut file, fill).expect("memory takes it");
         let mut reader = png::Decoder::new(std::io::Cursor::new(file)).read_info().expect("a PNG");
         let mut got = [9; 18];

@@ -4,8 +4,8 @@ use std::fs::{self, File, OpenOptions, Permissions};
 use std::io::{self, BufWriter, IsTerminal, Write};
 use std::path::{Path, PathBuf};
 
-use crate::error::Error;
-use crate::picture::file::FileType;
+use super::error::PictureError;
+use super::file::FileType;
 
 /// A place that has been found fit for a picture.
 #[derive(Debug)]
@@ -32,18 +32,18 @@ impl Output {
     /// without one take a PNG.
     ///
     /// # Errors
-    /// [`Error::UnknownExtension`], [`Error::Terminal`], and [`Error::Write`] for a folder, for a file or folder
+    /// [`PictureError::UnknownExtension`], [`PictureError::Terminal`], and [`PictureError::Write`] for a folder, for a file or folder
     /// that may not be written, and for a folder that does not exist.
-    pub fn open(path: &Path, file_type: Option<FileType>) -> Result<Self, Error> {
+    pub fn open(path: &Path, file_type: Option<FileType>) -> Result<Self, PictureError> {
         let extension = path.extension().and_then(|extension| extension.to_str());
         let known = file_type.or_else(|| FileType::of_extension(extension?));
         let place = Place::find(path)?;
         let file_type = match place {
             Place::Stdout if io::stdout().is_terminal() => {
-                return Err(Error::Terminal(known.unwrap_or(FileType::Png)));
+                return Err(PictureError::Terminal(known.unwrap_or(FileType::Png)));
             }
             Place::Stdout | Place::Special(_) => known.unwrap_or(FileType::Png),
-            Place::File { .. } => known.ok_or_else(|| Error::UnknownExtension(path.to_owned()))?,
+            Place::File { .. } => known.ok_or_else(|| PictureError::UnknownExtension(path.to_owned()))?,
         };
         Ok(Self { path: path.to_owned(), file_type, place })
     }
@@ -57,19 +57,22 @@ impl Output {
     /// Writes everything that `content` gives, or leaves what was there as it was.
     ///
     /// # Errors
-    /// [`Error::Write`], and [`Error::BrokenPipe`] if the reader of a pipe has gone.
-    pub fn write(self, content: &[u8]) -> Result<(), Error> {
-        self.fill(|out| out.write_all(content).map_err(Failure::Write))
+    /// [`PictureError::Write`], and [`PictureError::BrokenPipe`] if the reader of a pipe has gone.
+    pub fn write(self, content: &[u8]) -> Result<(), PictureError> {
+        self.fill(|out| out.write_all(content).map_err(Failure::<PictureError>::Write))
     }
 
     /// Lets `fill` write a file beside its place and puts it there at the end; if anything fails, what was there stays as
     /// it was. A pipe or device gets everything at once.
     ///
     /// # Errors
-    /// [`Error::Write`], [`Error::BrokenPipe`] if the reader of a pipe has gone, and those of `fill`.
-    pub fn fill(self, fill: impl FnOnce(&mut dyn Write) -> Result<(), Failure>) -> Result<(), Error> {
+    /// [`PictureError::Write`], [`PictureError::BrokenPipe`] if the reader of a pipe has gone, and those of `fill`.
+    pub fn fill<E: From<PictureError>>(
+        self,
+        fill: impl FnOnce(&mut dyn Write) -> Result<(), Failure<E>>,
+    ) -> Result<(), E> {
         self.place.fill(fill).map_err(|failure| match failure {
-            Failure::Write(source) => Error::write(&self.path, source),
+            Failure::Write(source) => PictureError::write(&self.path, source).into(),
             Failure::Other(error) => error,
         })
     }
@@ -77,8 +80,8 @@ impl Output {
 
 impl Place {
     /// Looks what is at `path`, without changing it.
-    fn find(path: &Path) -> Result<Self, Error> {
-        let failed = |source| Error::write(path, source);
+    fn find(path: &Path) -> Result<Self, PictureError> {
+        let failed = |source| PictureError::write(path, source);
         if path == Path::new("-") || path == Path::new("/dev/stdout") {
             return Ok(Self::Stdout);
         }
@@ -99,7 +102,7 @@ impl Place {
         Ok(Self::File { path, permissions })
     }
 
-    fn fill(self, fill: impl FnOnce(&mut dyn Write) -> Result<(), Failure>) -> Result<(), Failure> {
+    fn fill<E>(self, fill: impl FnOnce(&mut dyn Write) -> Result<(), Failure<E>>) -> Result<(), Failure<E>> {
         match self {
             Self::Stdout => {
                 let mut out = BufWriter::new(io::stdout().lock());
@@ -124,42 +127,46 @@ impl Place {
 
 /// Why an output is not filled.
 #[derive(Debug)]
-pub enum Failure {
-    /// It cannot be written.
+pub enum Failure<E> {
+    /// The system does not write it.
     Write(io::Error),
-    /// There is nothing to write.
-    Other(Error),
+    /// What should be written cannot be had.
+    Other(E),
 }
 
-impl From<io::Error> for Failure {
+impl<E> From<io::Error> for Failure<E> {
     fn from(source: io::Error) -> Self {
         Self::Write(source)
-    }
-}
-
-impl From<Error> for Failure {
-    fn from(error: Error) -> Self {
-        Self::Other(error)
     }
 }
 
 /// Writes a text to `path` (`-` is standard output), or leaves what was there as it was.
 ///
 /// # Errors
-/// [`Error::Write`], and [`Error::BrokenPipe`] if the reader of a pipe has gone.
-pub fn write_text(path: &Path, content: &str) -> Result<(), Error> {
+/// [`PictureError::Write`], and [`PictureError::BrokenPipe`] if the reader of a pipe has gone.
+pub fn write_text(path: &Path, content: &str) -> Result<(), PictureError> {
     Output { path: path.to_owned(), file_type: FileType::Png, place: Place::find(path)? }
         .write(content.as_bytes())
+}
+
+/// Writes a text to standard output at once.
+///
+/// # Errors
+/// [`PictureError::Write`], and [`PictureError::BrokenPipe`] if the reader of a pipe has closed it.
+pub fn print(text: &str) -> Result<(), PictureError> {
+    let mut out = io::stdout().lock();
+    let written = out.write_all(text.as_bytes()).and_then(|()| out.flush());
+    written.map_err(|source| PictureError::write(Path::new("standard output"), source))
 }
 
 /// Writes `content` as a new file in the current folder: `stem.png`, or with a number if that is taken. Returns
 /// the name.
 ///
 /// # Errors
-/// [`Error::Write`].
-pub fn write_new(stem: &str, content: &[u8]) -> Result<PathBuf, Error> {
+/// [`PictureError::Write`].
+pub fn write_new(stem: &str, content: &[u8]) -> Result<PathBuf, PictureError> {
     let mut name = PathBuf::from(format!("{stem}.png"));
-    let failed = |path: &Path, source| Error::write(path, source);
+    let failed = |path: &Path, source| PictureError::write(path, source);
     let mut file = beside(&name, None).map_err(|source| failed(&name, source))?;
     file.write_all(content).map_err(|source| failed(&name, source))?;
     let mut number = 2_u32;
@@ -212,7 +219,7 @@ mod tests {
     use std::fs;
 
     use super::Output;
-    use crate::error::Error;
+    use crate::picture::error::PictureError;
     use crate::picture::file::FileType;
 
     fn names(folder: &std::path::Path) -> Vec<String> {
@@ -238,11 +245,11 @@ mod tests {
         let folder = tempfile::tempdir().expect("a folder");
         for name in ["missing/a.png", ""] {
             let opened = Output::open(&folder.path().join(name), None);
-            assert!(matches!(opened, Err(Error::Write { .. })), "{name}: {opened:?}");
+            assert!(matches!(opened, Err(PictureError::Write { .. })), "{name}: {opened:?}");
         }
         for name in ["picture.jpg", "picture", ".png", "png"] {
             let opened = Output::open(&folder.path().join(name), None);
-            assert!(matches!(opened, Err(Error::UnknownExtension(_))), "{name}: {opened:?}");
+            assert!(matches!(opened, Err(PictureError::UnknownExtension(_))), "{name}: {opened:?}");
         }
         assert!(names(folder.path()).is_empty());
     }

@@ -14,10 +14,10 @@ use rta_drivers::pixrect::{self, Cgthree, PixrectDisplay, emulated::Board};
 use rta_drivers::quantize::{Adaptive, ColorTable, TableError, Uniform};
 use rta_drivers::vga13h::{self, Mode13h, emulated::Vga};
 
-use crate::error::Error;
-use crate::picture::device::Device;
-use crate::picture::file::{Displayed, Pixels};
-use crate::picture::raster::Size;
+use super::device::Device;
+use super::error::PictureError;
+use super::file::{Displayed, Pixels};
+use super::raster::Size;
 
 /// How the entries of a device's colour table are chosen.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -81,30 +81,30 @@ impl ColorTable for Table {
 
 /// A painter of any of the devices: what [`Screen`] needs of it, with errors that are all of one kind.
 trait Canvas: Send {
-    fn put_row(&mut self, y: u32, levels: &[Rgb<u8>]) -> Result<(), Error>;
-    fn update(&mut self) -> Result<(), Error>;
+    fn put_row(&mut self, y: u32, levels: &[Rgb<u8>]) -> Result<(), PictureError>;
+    fn update(&mut self) -> Result<(), PictureError>;
     /// The entries made so far, as levels of the guns.
-    fn colors(&mut self) -> Result<Vec<Rgb<u8>>, Error>;
-    fn read_row(&mut self, y: u32, indices: &mut [u8]) -> Result<(), Error>;
+    fn colors(&mut self) -> Result<Vec<Rgb<u8>>, PictureError>;
+    fn read_row(&mut self, y: u32, indices: &mut [u8]) -> Result<(), PictureError>;
 }
 
 impl<D: ReadBack<Error: Send + Sync + 'static> + Send> Canvas for Painter<D, Table> {
-    fn put_row(&mut self, y: u32, levels: &[Rgb<u8>]) -> Result<(), Error> {
-        Painter::put_row(self, 0, y, levels.iter().copied()).map_err(Error::display)
+    fn put_row(&mut self, y: u32, levels: &[Rgb<u8>]) -> Result<(), PictureError> {
+        Painter::put_row(self, 0, y, levels.iter().copied()).map_err(PictureError::display)
     }
 
-    fn update(&mut self) -> Result<(), Error> {
-        Painter::update(self).map_err(Error::display)
+    fn update(&mut self) -> Result<(), PictureError> {
+        Painter::update(self).map_err(PictureError::display)
     }
 
-    fn colors(&mut self) -> Result<Vec<Rgb<u8>>, Error> {
+    fn colors(&mut self) -> Result<Vec<Rgb<u8>>, PictureError> {
         let mut colors = vec![Rgb::default(); self.table().entries().len()];
-        self.display_mut().read_colors(0, &mut colors).map_err(Error::display)?;
+        self.display_mut().read_colors(0, &mut colors).map_err(PictureError::display)?;
         Ok(colors)
     }
 
-    fn read_row(&mut self, y: u32, indices: &mut [u8]) -> Result<(), Error> {
-        self.display_mut().read_pixels(0, y, indices).map_err(Error::display)
+    fn read_row(&mut self, y: u32, indices: &mut [u8]) -> Result<(), PictureError> {
+        self.display_mut().read_pixels(0, y, indices).map_err(PictureError::display)
     }
 }
 
@@ -129,21 +129,21 @@ impl Screen {
     /// Switches `device` on, with a window of `size` pixels that look as on a screen of shape `aspect`.
     ///
     /// # Errors
-    /// [`Error::LargerThanDevice`], and [`Error::Display`] if the emulated device does not start.
-    pub fn new(device: Device, table: TableKind, size: Size, aspect: f64) -> Result<Self, Error> {
+    /// [`PictureError::LargerThanDevice`], and [`PictureError::Display`] if the emulated device does not start.
+    pub fn new(device: Device, table: TableKind, size: Size, aspect: f64) -> Result<Self, PictureError> {
         let whole = device.size();
         if size.width() > whole.width() || size.height() > whole.height() {
-            return Err(Error::LargerThanDevice { size, device });
+            return Err(PictureError::LargerThanDevice { size, device });
         }
-        let table = table.table(device.capabilities()).map_err(Error::display)?;
+        let table = table.table(device.capabilities()).map_err(PictureError::display)?;
         Ok(Self { canvas: switch_on(device, Table(table))?, device, size, aspect })
     }
 
     /// Draws whole rows of gun levels, from row `first` down.
     ///
     /// # Errors
-    /// [`Error::Display`] if there are more rows than the screen has, or levels beyond its guns.
-    pub fn put_rows(&mut self, first: u32, levels: &[Rgb<u8>]) -> Result<(), Error> {
+    /// [`PictureError::Display`] if there are more rows than the screen has, or levels beyond its guns.
+    pub fn put_rows(&mut self, first: u32, levels: &[Rgb<u8>]) -> Result<(), PictureError> {
         for (y, row) in (first..).zip(levels.chunks(self.size.columns())) {
             self.canvas.put_row(y, row)?;
         }
@@ -153,8 +153,8 @@ impl Screen {
     /// What the device shows, read back from it. The colour table is expanded to 8 bits a gun.
     ///
     /// # Errors
-    /// [`Error::Display`] if the device does not answer.
-    pub fn picture(&mut self) -> Result<Displayed, Error> {
+    /// [`PictureError::Display`] if the device does not answer.
+    pub fn picture(&mut self) -> Result<Displayed, PictureError> {
         let gun_max = self.device.capabilities().gun_max;
         let colors = self.canvas.colors()?;
         let palette = colors.into_iter().map(|color| color.map(|level| expand(level, gun_max))).collect();
@@ -166,26 +166,26 @@ impl Screen {
     }
 }
 
-fn switch_on(device: Device, table: Table) -> Result<Box<dyn Canvas>, Error> {
+fn switch_on(device: Device, table: Table) -> Result<Box<dyn Canvas>, PictureError> {
     fn paint(
         display: impl ReadBack<Error: Send + Sync + 'static> + Send + 'static,
         table: Table,
-    ) -> Result<Box<dyn Canvas>, Error> {
-        Ok(Box::new(Painter::new(display, table).map_err(Error::display)?))
+    ) -> Result<Box<dyn Canvas>, PictureError> {
+        Ok(Box::new(Painter::new(display, table).map_err(PictureError::display)?))
     }
     match device {
         Device::Vga => {
-            let board = Vga::new(vec![0; vga13h::emulated::MEMORY_SIZE]).map_err(Error::display)?;
+            let board = Vga::new(vec![0; vga13h::emulated::MEMORY_SIZE]).map_err(PictureError::display)?;
             paint(Mode13h::program(board), table)
         }
         Device::Graphigs => {
             let workstation = Workstation::new(vec![0; graphigs::emulated::MEMORY_SIZE]);
             let kind = graphigs::emulated::WORKSTATION_TYPE;
-            paint(GraphigsDisplay::open(workstation, "IBM5081", kind).map_err(Error::display)?, table)
+            paint(GraphigsDisplay::open(workstation, "IBM5081", kind).map_err(PictureError::display)?, table)
         }
         Device::Pixrect => {
-            let board = Board::new(vec![0; pixrect::emulated::MEMORY_SIZE]).map_err(Error::display)?;
-            paint(PixrectDisplay::new(Cgthree::open(board)).map_err(Error::display)?, table)
+            let board = Board::new(vec![0; pixrect::emulated::MEMORY_SIZE]).map_err(PictureError::display)?;
+            paint(PixrectDisplay::new(Cgthree::open(board)).map_err(PictureError::display)?, table)
         }
     }
 }

@@ -1,16 +1,15 @@
 //! `--fit`: a scene that does not fit a number format is scaled, or its error tells by how much it could be.
 
-use core::fmt;
 use std::borrow::Cow;
 use std::io::{self, Write};
 
 use rta_scenes::description::{self, Description};
 use rta_scenes::fit::{FloorError, fit};
 
-use crate::commands::check::{Refusal, admits, alternatives};
+use super::error::{Hint, RequestError};
+use super::scene_file::SceneFile;
+use crate::engine::admission::{Refusal, admits, alternatives};
 use crate::engine::{EngineError, Format, Model};
-use crate::error::Error;
-use crate::request::scene_file::SceneFile;
 
 /// What a scene has to fit, and whether it may be scaled for that.
 #[derive(Clone, Copy, Debug)]
@@ -23,31 +22,6 @@ pub struct Fit {
     pub model: Option<Model>,
     /// Whether `--fit` was given.
     pub asked: bool,
-}
-
-/// What scaling could do for a scene that was refused. It prints as the end of an error.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
-pub enum Hint {
-    /// Nothing, and nobody asked.
-    None,
-    /// `--fit` would scale it by this.
-    Factor(f64),
-    /// `--fit` was given, but the scene has a floor.
-    Floor,
-    /// `--fit` was given, but no scale helps.
-    NoScale,
-}
-
-impl fmt::Display for Hint {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::None => Ok(()),
-            Self::Factor(factor) => write!(f, "; --fit would scale it by {factor}"),
-            Self::Floor => write!(f, "; --fit: {FloorError}"),
-            Self::NoScale => f.write_str("; --fit finds no scale at which it fits"),
-        }
-    }
 }
 
 impl Fit {
@@ -69,22 +43,22 @@ impl Fit {
 
     /// The error of a scene, scaled already if that helps, that the format does not admit.
     #[must_use]
-    pub fn refused(&self, scene: &SceneFile, reason: Refusal) -> Error {
+    pub fn refused(&self, scene: &SceneFile, reason: Refusal) -> RequestError {
         let others = alternatives(&scene.description, self.format, self.aspect);
         let (name, fit) = (scene.source.clone(), self.hint(&scene.description));
-        Error::Refused { name, format: self.format, reason: Box::new(reason), others, fit }
+        RequestError::Refused { name, format: self.format, reason: Box::new(reason), others, fit }
     }
 
     /// The same where it was about to be drawn.
     #[must_use]
-    pub fn engine_error(&self, scene: &SceneFile, source: EngineError) -> Error {
+    pub fn engine_error(&self, scene: &SceneFile, source: EngineError) -> RequestError {
         let fit = match &source {
             EngineError::Narrow(_) | EngineError::Core(rta_core::Error::Range(_)) => {
                 self.hint(&scene.description)
             }
             EngineError::Core(_) => Hint::None,
         };
-        Error::Engine { name: scene.source.clone(), source, fit }
+        RequestError::Engine { name: scene.source.clone(), source, fit }
     }
 
     fn hint(&self, scene: &Description) -> Hint {
@@ -102,10 +76,10 @@ impl Fit {
 
     /// The scene as if it were made for the model that it is drawn with.
     fn drawn(&self, scene: &Description) -> Description {
-        let model = match self.model {
+        let model = match self.model.map(Model::is_attenuated) {
             None => scene.model,
-            Some(Model::Rta) => description::Model::Rta,
-            Some(Model::Whitted | Model::Phong) => description::Model::Phong,
+            Some(true) => description::Model::Rta,
+            Some(false) => description::Model::Phong,
         };
         Description { model, ..scene.clone() }
     }

@@ -7,7 +7,7 @@ use std::path::Path;
 use rta_scenes::description::Description;
 use rta_scenes::shipped;
 
-use crate::error::Error;
+use super::error::RequestError;
 
 /// Largest scene file that is read, in bytes: some hundred thousand objects. It stands against reading a device
 /// file or a film to the end.
@@ -28,31 +28,32 @@ impl SceneFile {
     /// The Juggler that the program carries in itself.
     ///
     /// # Errors
-    /// [`Error::Scene`] if it is not as the format has it.
-    pub fn juggler() -> Result<Self, Error> {
+    /// [`RequestError::Scene`] if it is not as the format has it.
+    pub fn juggler() -> Result<Self, RequestError> {
         Self::parse("juggler.dat", "juggler", shipped::JUGGLER.as_bytes())
     }
 
     /// Reads the scene file `path`, or standard input if it is `-`.
     ///
     /// # Errors
-    /// [`Error::Read`] and [`Error::Scene`].
-    pub fn open(path: &Path) -> Result<Self, Error> {
+    /// [`RequestError::Read`] and [`RequestError::Scene`].
+    pub fn open(path: &Path) -> Result<Self, RequestError> {
         Self::open_with_text(path).map(|(scene, _)| scene)
     }
 
     /// The same, with the text that was read.
     ///
     /// # Errors
-    /// [`Error::Read`] and [`Error::Scene`].
-    pub fn open_with_text(path: &Path) -> Result<(Self, Vec<u8>), Error> {
+    /// [`RequestError::Read`] and [`RequestError::Scene`].
+    pub fn open_with_text(path: &Path) -> Result<(Self, Vec<u8>), RequestError> {
         let (name, title, text) = if path == Path::new("-") {
             let name = "standard input".to_owned();
             let text = read(io::stdin().lock(), &name)?;
             (name, "stdin".to_owned(), text)
         } else {
             let name = path.display().to_string();
-            let file = File::open(path).map_err(|source| Error::Read { name: name.clone(), source })?;
+            let file =
+                File::open(path).map_err(|source| RequestError::Read { name: name.clone(), source })?;
             let stem = path.file_stem().map(|stem| stem.to_string_lossy().into_owned());
             let text = read(file, &name)?;
             (name.clone(), stem.unwrap_or(name), text)
@@ -63,8 +64,8 @@ impl SceneFile {
     /// All scenes that the program carries in itself, with their texts.
     ///
     /// # Errors
-    /// [`Error::Scene`] if one is not as the format has it.
-    pub fn shipped() -> Result<Vec<(Self, Vec<u8>)>, Error> {
+    /// [`RequestError::Scene`] if one is not as the format has it.
+    pub fn shipped() -> Result<Vec<(Self, Vec<u8>)>, RequestError> {
         let scene = |(name, text): (&str, &str)| {
             let title = name.trim_end_matches(".dat");
             Ok((Self::parse(name, title, text.as_bytes())?, text.as_bytes().to_vec()))
@@ -75,15 +76,15 @@ impl SceneFile {
     /// The scene that the program carries in itself by this name, the thesis's or another.
     ///
     /// # Errors
-    /// [`Error::Scene`] if it is not as the format has it.
-    pub fn named(title: &str) -> Option<Result<Self, Error>> {
+    /// [`RequestError::Scene`] if it is not as the format has it.
+    pub fn named(title: &str) -> Option<Result<Self, RequestError>> {
         let all = shipped::ALL.into_iter().chain([("balls2.nff", shipped::BALLS_2)]);
         let stem = |name: &str| name.split('.').next() == Some(title);
         let (name, text) = all.into_iter().find(|(name, _)| stem(name))?;
         Some(Self::parse(name, title, text.as_bytes()))
     }
 
-    fn parse(source: &str, title: &str, text: &[u8]) -> Result<Self, Error> {
+    fn parse(source: &str, title: &str, text: &[u8]) -> Result<Self, RequestError> {
         let description = rta_scenes::read(text, source)?;
         // A title goes into window titles and file names: what is not plain there is left out.
         let title =
@@ -92,8 +93,8 @@ impl SceneFile {
     }
 }
 
-fn read(file: impl Read, name: &str) -> Result<Vec<u8>, Error> {
-    let failed = |source| Error::Read { name: name.to_owned(), source };
+fn read(file: impl Read, name: &str) -> Result<Vec<u8>, RequestError> {
+    let failed = |source| RequestError::Read { name: name.to_owned(), source };
     let mut text = Vec::new();
     file.take(MAX_FILE + 1).read_to_end(&mut text).map_err(failed)?;
     if text.len() as u64 > MAX_FILE {
@@ -105,7 +106,7 @@ fn read(file: impl Read, name: &str) -> Result<Vec<u8>, Error> {
 #[cfg(test)]
 mod tests {
     use super::{MAX_FILE, SceneFile, read};
-    use crate::error::Error;
+    use crate::request::error::RequestError;
 
     #[test]
     fn the_juggler_is_in_the_program() {
@@ -115,7 +116,7 @@ mod tests {
     #[test]
     fn endless_input_is_refused() {
         let read = read(std::io::repeat(b'1'), "endless");
-        assert!(matches!(&read, Err(Error::Read { name, .. }) if name == "endless"));
+        assert!(matches!(&read, Err(RequestError::Read { name, .. }) if name == "endless"));
         assert!(read.expect_err("too long").to_string().contains("64 MiB"));
         const { assert!(MAX_FILE == 64 * 1024 * 1024) };
     }

@@ -18,8 +18,8 @@ use crate::engine::callgrind::CountError;
 use crate::engine::interrupt;
 use crate::engine::progress::Progress;
 use crate::engine::tally::Rays;
-use crate::error::Error;
 use crate::picture::output;
+use crate::study::error::StudyError;
 
 pub mod case;
 pub mod child;
@@ -52,8 +52,8 @@ struct Row {
 /// Does what `rta bench` is asked to.
 ///
 /// # Errors
-/// All of [`Error`].
-pub fn run(args: &BenchArgs) -> Result<(), Error> {
+/// All of [`StudyError`].
+pub fn run(args: &BenchArgs) -> Result<(), StudyError> {
     let stop = interrupt::watch();
     if let Some(file) = &args.record {
         return drift::record(args, file, stop);
@@ -81,7 +81,7 @@ pub fn run(args: &BenchArgs) -> Result<(), Error> {
     if let Some(reason) = bench.uncounted {
         let _ = writeln!(io::stderr(), "rta: no instructions: {reason}");
     }
-    output::write_text(Path::new("-"), &report(&rows, args))
+    Ok(output::write_text(Path::new("-"), &report(&rows, args))?)
 }
 
 /// A bench under way.
@@ -93,12 +93,12 @@ struct Bench<'a> {
 }
 
 impl Bench<'_> {
-    fn go_on(&self) -> Result<(), Error> {
-        if self.stop.load(Ordering::Relaxed) { Err(Error::Interrupted) } else { Ok(()) }
+    fn go_on(&self) -> Result<(), StudyError> {
+        if self.stop.load(Ordering::Relaxed) { Err(StudyError::INTERRUPTED) } else { Ok(()) }
     }
 
-    fn row(&mut self, case: &Case) -> Result<Row, Error> {
-        let peer = self.args.peer.map(|_| Peer::new(case)).transpose().map_err(Error::bench)?;
+    fn row(&mut self, case: &Case) -> Result<Row, StudyError> {
+        let peer = self.args.peer.map(|_| Peer::new(case)).transpose().map_err(StudyError::bench)?;
         let (mut picture, mut time) = (case.picture()?, Duration::MAX);
         let mut statistics: Option<Statistics> = None;
         // In turn, so that whatever else the machine does meets both.
@@ -106,7 +106,7 @@ impl Bench<'_> {
             self.go_on()?;
             time = time.min(case.time(&mut picture));
             if let Some(peer) = &peer {
-                let now = peer.render().map_err(Error::bench)?;
+                let now = peer.render().map_err(StudyError::bench)?;
                 statistics = Some(statistics.filter(|before| before.time <= now.time).unwrap_or(now));
             }
         }
@@ -126,7 +126,7 @@ impl Bench<'_> {
         })
     }
 
-    fn elapsed(&self, case: &Case) -> Result<[Duration; 2], Error> {
+    fn elapsed(&self, case: &Case) -> Result<[Duration; 2], StudyError> {
         let mut least = [Duration::MAX; 2];
         for _ in 0..self.args.runs {
             for (least, threads) in least.iter_mut().zip(1..) {

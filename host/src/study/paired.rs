@@ -25,6 +25,7 @@ use core::ops::{Add, Neg, Sub};
 
 pub mod format;
 pub mod log;
+pub mod ray_tree;
 mod scalar;
 pub mod trail;
 mod vector;

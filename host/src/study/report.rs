@@ -16,11 +16,12 @@ use std::path::{Path, PathBuf};
 use crate::args::ReportArgs;
 use crate::engine::interrupt;
 use crate::engine::progress::Progress;
-use crate::error::Error;
 use crate::picture::device::Device;
+use crate::picture::error::PictureError;
 use crate::picture::file::{Caption, Displayed, Pixels};
 use crate::picture::raster::Size;
 use crate::request::scene_file::SceneFile;
+use crate::study::error::StudyError;
 
 pub mod bench;
 pub mod diagram;
@@ -48,15 +49,15 @@ pub struct Source {
 /// Does what `rta report` is asked to. The files are written once all is measured.
 ///
 /// # Errors
-/// All of [`Error`].
-pub fn run(args: &ReportArgs) -> Result<(), Error> {
+/// All of [`StudyError`].
+pub fn run(args: &ReportArgs) -> Result<(), StudyError> {
     let (size, device) = (args.size, Device::Vga);
     if size.width() > device.size().width() || size.height() > device.size().height() {
-        return Err(Error::LargerThanDevice { size, device });
+        return Err(PictureError::LargerThanDevice { size, device }.into());
     }
     let program = std::env::current_exe().ok();
     let sources = sources(&args.scenes)?;
-    let failed = |source| Error::write(&args.output, source);
+    let failed = |source| PictureError::write(&args.output, source);
     fs::create_dir_all(&args.output).map_err(failed)?;
     let setup = Setup {
         size,
@@ -68,7 +69,7 @@ pub fn run(args: &ReportArgs) -> Result<(), Error> {
 }
 
 /// The scenes, or the shipped ones if there are none.
-fn sources(paths: &[PathBuf]) -> Result<Vec<Source>, Error> {
+fn sources(paths: &[PathBuf]) -> Result<Vec<Source>, StudyError> {
     let mut sources: Vec<Source> = Vec::new();
     let scenes: Vec<_> = if paths.is_empty() {
         SceneFile::shipped()?
@@ -87,7 +88,7 @@ fn sources(paths: &[PathBuf]) -> Result<Vec<Source>, Error> {
 ///
 /// # Errors
 /// Those of [`study::study`].
-pub fn studies(sources: &[Source], setup: Setup) -> Result<Vec<Study>, Error> {
+pub fn studies(sources: &[Source], setup: Setup) -> Result<Vec<Study>, StudyError> {
     let scenes = u32::try_from(sources.len()).unwrap_or(u32::MAX);
     let mut progress = Progress::new(scenes.saturating_mul(STEPS));
     let begins = (0..).step_by(STEPS as usize);
@@ -95,29 +96,29 @@ pub fn studies(sources: &[Source], setup: Setup) -> Result<Vec<Study>, Error> {
 }
 
 /// Writes `report.csv`, `report.md`, and an SVG and a PNG for each scene.
-fn write(folder: &Path, studies: &[Study], setup: Setup) -> Result<(), Error> {
+fn write(folder: &Path, studies: &[Study], setup: Setup) -> Result<(), StudyError> {
     let file = |name: &str, content: &[u8]| {
         let path = folder.join(name);
-        fs::write(&path, content).map_err(|source| Error::write(&path, source))
+        fs::write(&path, content).map_err(|source| PictureError::write(&path, source))
     };
-    file("report.csv", &table::csv(studies).map_err(Error::report)?)?;
+    file("report.csv", &table::csv(studies).map_err(StudyError::report)?)?;
     for study in studies {
         let title = &study.title;
-        file(&format!("{title}.svg"), diagram::svg(study).map_err(Error::report)?.as_bytes())?;
+        file(&format!("{title}.svg"), diagram::svg(study).map_err(StudyError::report)?.as_bytes())?;
         let (mut png, name) = (Vec::new(), format!("{title}.png"));
         let caption = Caption { title: title.clone(), settings: "error against run time".to_owned() };
         png_of(study)?
             .write_png(&caption, &mut png)
-            .map_err(|source| Error::write(&folder.join(&name), source))?;
+            .map_err(|source| PictureError::write(&folder.join(&name), source))?;
         file(&name, &png)?;
     }
-    file("report.md", page::markdown(studies, setup.size, setup.aspect).as_bytes())
+    Ok(file("report.md", page::markdown(studies, setup.size, setup.aspect).as_bytes())?)
 }
 
 /// A diagram as a picture with square pixels.
-fn png_of(study: &Study) -> Result<Displayed, Error> {
+fn png_of(study: &Study) -> Result<Displayed, StudyError> {
     let (width, height) = diagram::SIZE;
-    let pixels = diagram::pixels(study).map_err(Error::report)?;
-    let size = Size::new(width, height).map_err(Error::report)?;
+    let pixels = diagram::pixels(study).map_err(StudyError::report)?;
+    let size = Size::new(width, height).map_err(StudyError::report)?;
     Ok(Displayed { size, aspect: size.ratio(), pixels: Pixels::Direct(pixels) })
 }

@@ -23,6 +23,7 @@ pub mod cases;
 pub mod exact;
 pub mod guard;
 pub mod measure;
+pub mod outcome;
 pub mod table;
 
 use core::sync::atomic::Ordering;
@@ -37,7 +38,9 @@ use crate::args::StabilityArgs;
 use crate::engine::Format;
 use crate::engine::progress::Progress;
 use crate::engine::{bands, interrupt};
-use crate::error::Error;
+use crate::picture::error::PictureError;
+use crate::picture::output;
+use crate::study::error::StudyError;
 use cases::Case;
 use measure::{Outcome, measure};
 
@@ -59,8 +62,8 @@ pub struct Row {
 /// number of rows so far. The rows do not depend on the number of threads.
 ///
 /// # Errors
-/// [`Error::Threads`], and [`Error::Interrupted`] after an interrupt, at the end of the rows that were begun.
-pub fn rows(cases: &[Case], samples: usize, mut done: impl FnMut(u32)) -> Result<Vec<Row>, Error> {
+/// [`BandsError::Threads`], and [`BandsError::Interrupted`] after an interrupt, at the end of the rows that were begun.
+pub fn rows(cases: &[Case], samples: usize, mut done: impl FnMut(u32)) -> Result<Vec<Row>, StudyError> {
     let stop = interrupt::watch();
     let work: Vec<_> = cases.iter().flat_map(|case| FORMATS.map(|format| (case, format))).collect();
     let (sender, receiver) = mpsc::channel();
@@ -85,7 +88,7 @@ pub fn rows(cases: &[Case], samples: usize, mut done: impl FnMut(u32)) -> Result
         }
     });
     if rows.len() < work.len() {
-        return Err(Error::Interrupted);
+        return Err(StudyError::INTERRUPTED);
     }
     rows.sort_by_key(|(place, _)| *place);
     Ok(rows.into_iter().map(|(_, row)| row).collect())
@@ -94,16 +97,14 @@ pub fn rows(cases: &[Case], samples: usize, mut done: impl FnMut(u32)) -> Result
 /// Does what `rta stability` is asked to.
 ///
 /// # Errors
-/// Those of [`rows`], and [`Error::Write`] for the output; the file is looked at before the work.
-pub fn run(args: &StabilityArgs) -> Result<(), Error> {
+/// Those of [`rows`], and [`PictureError::Write`] for the output; the file is looked at before the work.
+pub fn run(args: &StabilityArgs) -> Result<(), StudyError> {
     let before = args.output.as_deref().map(read).transpose()?;
     let cases = cases::all();
     let mut progress = Progress::new(u32::try_from(cases.len() * FORMATS.len()).unwrap_or(u32::MAX));
     let rows = rows(&cases, args.rays, |count| progress.reached(count))?;
     drop(progress);
-    let stdout = |source| Error::write(Path::new("standard output"), source);
-    let mut out = io::stdout().lock();
-    out.write_all(table::text(&rows).as_bytes()).and_then(|()| out.flush()).map_err(stdout)?;
+    output::print(&table::text(&rows))?;
     if !guard::CHECKED {
         let _ = writeln!(
             io::stderr(),
@@ -115,15 +116,15 @@ pub fn run(args: &StabilityArgs) -> Result<(), Error> {
         let command = format!("cargo run {profile} -- stability --rays {} -o {}", args.rays, path.display());
         let part = format!("Made by `{command}`:\n\n{}", table::markdown(&rows));
         let text = table::into_markdown(&before, &part);
-        fs::write(path, text).map_err(|source| Error::write(path, source))?;
+        fs::write(path, text).map_err(|source| PictureError::write(path, source))?;
     }
     Ok(())
 }
 
 /// What is in a file; nothing if there is no such file yet.
-fn read(path: &Path) -> Result<String, Error> {
+fn read(path: &Path) -> Result<String, PictureError> {
     match fs::read_to_string(path) {
         Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(String::new()),
-        other => other.map_err(|source| Error::write(path, source)),
+        other => other.map_err(|source| PictureError::write(path, source)),
     }
 }

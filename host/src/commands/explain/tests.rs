@@ -1,19 +1,10 @@
 use rta_scenes::{dat, shipped};
 
-use super::{Choice, explain, worst};
+use super::{explain, worst};
 use crate::engine::{Format, Settings};
 
 fn settings(format: Format) -> Settings {
     Settings { width: 80, height: 50, format, ..Settings::default() }
-}
-
-#[test]
-fn pixels_are_read() {
-    assert_eq!("12,34".parse(), Ok(Choice::At(12, 34)));
-    assert_eq!("worst".parse(), Ok(Choice::Worst));
-    for text in ["", "1", "1,", ",1", "-1,2", "1,2,3", "best", "1.5,2"] {
-        assert!(text.parse::<Choice>().is_err(), "{text}");
-    }
 }
 
 #[test]

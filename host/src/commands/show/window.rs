@@ -2,7 +2,6 @@
 
 use core::sync::atomic::{AtomicBool, Ordering};
 use core::time::Duration;
-use std::io::{self, Write};
 use std::sync::mpsc::{self, Sender};
 use std::time::Instant;
 
@@ -12,9 +11,11 @@ use crate::args::ShowArgs;
 use crate::commands::render::Work;
 use crate::commands::show::frame::{Frame, fit};
 use crate::commands::show::{Command, Show};
+use crate::engine::bands::BandsError;
 use crate::engine::interrupt;
 use crate::error::Error;
 use crate::picture::device::{Device, Target};
+use crate::picture::error::PictureError;
 use crate::picture::output;
 use crate::request::scene_file::SceneFile;
 
@@ -60,7 +61,7 @@ pub fn run(args: &ShowArgs) -> Result<(), Error> {
     let mut content = Vec::new();
     let stem = format!("rta-{}-{}", scene.title, args.device);
     let encoded = work.displayed()?.write_png(&request.caption(&scene), &mut content);
-    encoded.map_err(|source| Error::write(stem.as_ref(), source))?;
+    encoded.map_err(|source| PictureError::write(stem.as_ref(), source))?;
     let name = output::write_new(&stem, &content)?;
     say(&format!("rta: no display here, so the picture is in ./{}", name.display()))
 }
@@ -92,7 +93,7 @@ fn watch(mut window: Window, mut show: Show, stop: &AtomicBool) -> Result<(), Er
     let mut frame = Frame { width: 0, height: 0, pixels: Vec::new() };
     while window.is_open() {
         if stop.load(Ordering::Relaxed) {
-            return Err(Error::Interrupted);
+            return Err(BandsError::Interrupted.into());
         }
         for press in presses.try_iter() {
             match press {
@@ -191,7 +192,7 @@ impl InputCallback for Keyboard {
 
 /// A line for standard output.
 fn say(line: &str) -> Result<(), Error> {
-    writeln!(io::stdout(), "{line}").map_err(|source| Error::write("standard output".as_ref(), source))
+    Ok(output::print(&format!("{line}\n"))?)
 }
 
 #[cfg(test)]

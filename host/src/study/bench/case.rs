@@ -13,11 +13,12 @@ use super::spheres;
 use crate::args::ShowArgs;
 use crate::engine::bands;
 use crate::engine::{Engine, Format};
-use crate::error::Error;
 use crate::picture::device::Target;
+use crate::picture::error::PictureError;
 use crate::picture::raster::Size;
 use crate::request::Request;
 use crate::request::scene_file::SceneFile;
+use crate::study::error::StudyError;
 
 /// How a bench traces whatever scene it is given.
 #[derive(Clone, Copy, Debug)]
@@ -48,7 +49,7 @@ impl Case {
     ///
     /// # Errors
     /// What keeps it from being read or traced.
-    pub fn file(path: &Path, tracing: Tracing) -> Result<Self, Error> {
+    pub fn file(path: &Path, tracing: Tracing) -> Result<Self, StudyError> {
         let (scene, text) = SceneFile::open_with_text(path)?;
         Ok(Self { text: Some(text), ..Self::new(scene, tracing)? })
     }
@@ -56,17 +57,17 @@ impl Case {
     /// A scene that the program carries in itself, or makes.
     ///
     /// # Errors
-    /// [`Error::NoScene`], and what keeps it from being traced.
-    pub fn named(name: &str, tracing: Tracing) -> Result<Self, Error> {
+    /// [`StudyError::NoScene`], and what keeps it from being traced.
+    pub fn named(name: &str, tracing: Tracing) -> Result<Self, StudyError> {
         let scene = match (SceneFile::named(name), spheres::count(name)) {
             (Some(scene), _) => scene?,
             (None, Some(count)) => spheres::scene(count),
-            (None, None) => return Err(Error::NoScene(name.to_owned())),
+            (None, None) => return Err(StudyError::NoScene(name.to_owned())),
         };
         Self::new(scene, tracing)
     }
 
-    fn new(scene: SceneFile, tracing: Tracing) -> Result<Self, Error> {
+    fn new(scene: SceneFile, tracing: Tracing) -> Result<Self, StudyError> {
         let Tracing { format, size, depth } = tracing;
         let asked = Request { format, size, depth, ..ShowArgs::default().tracing.request(Target::None) };
         let request = asked.for_scene(None, &scene)?;
@@ -96,10 +97,10 @@ impl Case {
     /// A picture to trace into.
     ///
     /// # Errors
-    /// [`Error::Memory`].
-    pub fn picture(&self) -> Result<Vec<Rgb<u8>>, Error> {
+    /// [`PictureError::Memory`].
+    pub fn picture(&self) -> Result<Vec<Rgb<u8>>, StudyError> {
         let mut picture = Vec::new();
-        picture.try_reserve_exact(self.size.pixels()).map_err(|_| Error::Memory(self.size))?;
+        picture.try_reserve_exact(self.size.pixels()).map_err(|_| PictureError::Memory(self.size))?;
         picture.resize(self.size.pixels(), Rgb::default());
         Ok(picture)
     }
@@ -114,14 +115,14 @@ impl Case {
     /// Traces the picture with several threads, as a picture file is: the time until it is there.
     ///
     /// # Errors
-    /// [`Error::Threads`] and [`Error::Interrupted`].
-    pub fn elapsed(&self, threads: u16, stop: &AtomicBool) -> Result<Duration, Error> {
+    /// All of [`BandsError`](bands::BandsError).
+    pub fn elapsed(&self, threads: u16, stop: &AtomicBool) -> Result<Duration, StudyError> {
         let pool = bands::pool(Some(threads))?;
         let start = Instant::now();
         let trace = |first, levels: &mut [_]| self.engine.level_rows(first, u8::MAX, levels);
         bands::bands(self.size, &pool, stop, trace, |_, band: Vec<Rgb<u8>>| {
             core::hint::black_box(band);
-            Ok::<_, Error>(())
+            Ok::<_, StudyError>(())
         })?;
         Ok(start.elapsed())
     }
@@ -141,7 +142,8 @@ mod tests {
 
     use super::{Case, Tracing};
     use crate::engine::Format;
-    use crate::error::Error;
+    use crate::engine::bands::BandsError;
+    use crate::study::error::StudyError;
 
     const TRACING: Tracing = Tracing { format: Format::F32, size: None, depth: 5 };
 
@@ -155,7 +157,9 @@ mod tests {
         assert_eq!(about("hall-22"), (22, "320x200".to_owned(), 4.0 / 3.0));
         assert_eq!(about("balls2"), (93, "512x512".to_owned(), 1.0));
         assert_eq!(about("spheres-22"), (22, "512x512".to_owned(), 1.0));
-        assert!(matches!(Case::named("nothing", TRACING), Err(Error::NoScene(name)) if name == "nothing"));
+        assert!(
+            matches!(Case::named("nothing", TRACING), Err(StudyError::NoScene(name)) if name == "nothing")
+        );
     }
 
     #[test]
@@ -167,6 +171,9 @@ mod tests {
         let sky = picture.iter().filter(|pixel| Some(*pixel) == picture.first()).count();
         assert!((30_000..230_000).contains(&sky), "{sky} pixels of sky");
         case.elapsed(2, &AtomicBool::new(false)).expect("nothing stops it");
-        assert!(matches!(case.elapsed(2, &AtomicBool::new(true)), Err(Error::Interrupted)));
+        assert!(matches!(
+            case.elapsed(2, &AtomicBool::new(true)),
+            Err(StudyError::Bands(BandsError::Interrupted))
+        ));
     }
 }

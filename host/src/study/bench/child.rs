@@ -7,8 +7,8 @@ use super::case::{Case, Tracing, traced_picture};
 use crate::args::TracedArgs;
 use crate::engine::Format;
 use crate::engine::callgrind::{self, CountError};
-use crate::error::Error;
 use crate::picture::raster::Size;
+use crate::study::error::StudyError;
 
 /// The function that is counted, as callgrind is told.
 const COUNTED: [&str; 1] = ["*traced_picture"];
@@ -33,7 +33,7 @@ pub struct Work<'a> {
 ///
 /// # Errors
 /// What keeps a scene from being traced.
-pub fn run(args: &TracedArgs) -> Result<(), Error> {
+pub fn run(args: &TracedArgs) -> Result<(), StudyError> {
     for scene in &args.scenes {
         for format in &args.format {
             let tracing = Tracing { format: *format, size: args.size, depth: args.depth };

@@ -11,9 +11,9 @@ use super::child::{self, Work};
 use crate::args::BenchArgs;
 use crate::engine::Format;
 use crate::engine::callgrind;
-use crate::error::Error;
 use crate::picture::output;
 use crate::picture::raster::Size;
+use crate::study::error::StudyError;
 
 /// What is counted.
 const SCENES: [&str; 4] = ["juggler", "hall-22", "glass-2", "balls2"];
@@ -78,13 +78,13 @@ pub enum DriftError {
 }
 
 /// Counts everything.
-fn count(args: &BenchArgs, stop: &AtomicBool) -> Result<Vec<Entry>, Error> {
+fn count(args: &BenchArgs, stop: &AtomicBool) -> Result<Vec<Entry>, StudyError> {
     let size = match args.size {
         Some(size) => size,
-        None => Size::new(SIZE.0, SIZE.1).map_err(Error::bench)?,
+        None => Size::new(SIZE.0, SIZE.1).map_err(StudyError::bench)?,
     };
     let work = Work { scenes: &SCENES, formats: &FORMATS, size: Some(size), depth: args.depth };
-    let counts = child::count(&work, &[], stop).map_err(Error::bench)?;
+    let counts = child::count(&work, &[], stop).map_err(StudyError::bench)?;
     let order = SCENES.iter().flat_map(|scene| FORMATS.map(|format| (*scene, format)));
     let entry = |((scene, format), instructions): ((&str, Format), u64)| {
         let case = Case::named(scene, Tracing { format, size: Some(size), depth: args.depth })?;
@@ -137,26 +137,26 @@ fn drift(now: &[Entry], then: &[Entry]) -> Result<[Vec<String>; 2], String> {
 ///
 /// # Errors
 /// What keeps the pictures from being counted or the file from being written.
-pub fn record(args: &BenchArgs, file: &Path, stop: &AtomicBool) -> Result<(), Error> {
-    output::write_text(file, &page(&count(args, stop)?))
+pub fn record(args: &BenchArgs, file: &Path, stop: &AtomicBool) -> Result<(), StudyError> {
+    Ok(output::write_text(file, &page(&count(args, stop)?))?)
 }
 
 /// `rta bench --check`.
 ///
 /// # Errors
-/// [`DriftError`] in [`Error::Bench`], and what keeps the pictures from being counted.
-pub fn check(args: &BenchArgs, file: &Path, stop: &AtomicBool) -> Result<(), Error> {
+/// [`DriftError`] in [`StudyError::Bench`], and what keeps the pictures from being counted.
+pub fn check(args: &BenchArgs, file: &Path, stop: &AtomicBool) -> Result<(), StudyError> {
     let name = || file.display().to_string();
-    let page =
-        fs::read_to_string(file).map_err(|source| Error::bench(DriftError::Read { file: name(), source }))?;
-    let not_a_record = |reason| Error::bench(DriftError::NotARecord { file: name(), reason });
+    let page = fs::read_to_string(file)
+        .map_err(|source| StudyError::bench(DriftError::Read { file: name(), source }))?;
+    let not_a_record = |reason| StudyError::bench(DriftError::NotARecord { file: name(), reason });
     let (compiler, then) = parse(&page).map_err(not_a_record)?;
     if compiler != build() {
         return say(&format!("not compared: {} is of {compiler}, and this is {}", name(), build()));
     }
     if !callgrind::is_installed() {
         if std::env::var_os("CI").is_some() {
-            return Err(Error::bench(DriftError::NoValgrind));
+            return Err(StudyError::bench(DriftError::NoValgrind));
         }
         return say("skipped: valgrind is not installed");
     }
@@ -171,11 +171,11 @@ pub fn check(args: &BenchArgs, file: &Path, stop: &AtomicBool) -> Result<(), Err
     if grew.is_empty() {
         return say(&format!("no picture takes over 5 % more instructions than in {}", name()));
     }
-    Err(Error::bench(DriftError::Dearer { file: name(), rows: grew.join("\n") }))
+    Err(StudyError::bench(DriftError::Dearer { file: name(), rows: grew.join("\n") }))
 }
 
-fn say(line: &str) -> Result<(), Error> {
-    output::write_text(Path::new("-"), &format!("{line}\n"))
+fn say(line: &str) -> Result<(), StudyError> {
+    Ok(output::write_text(Path::new("-"), &format!("{line}\n"))?)
 }
 
 #[cfg(test)]

@@ -6,7 +6,8 @@ use rta_core::vector::{LengthVector, UnitVec3, UnitVector, Vec3, Vector};
 use rta_scenes::narrow::Narrow;
 use rta_scenes::{dat, shipped};
 
-use super::trail::{Met, Pixel, Shine, lock_step, pixels};
+use super::ray_tree::{HitKind, Visibility};
+use super::trail::{Pixel, lock_step, pixels};
 use super::{Paired, log};
 use crate::engine::{Format, Settings};
 
@@ -114,30 +115,30 @@ fn a_trail_holds_the_ray_tree() {
     assert_eq!(all.len(), (width * height) as usize);
     let [first, .., last] = all.as_slice() else { panic!("pixels") };
     let tree = |pixel: &Pixel| -> Vec<_> {
-        pixel.trail.steps.iter().map(|s| (s.kind, s.depth, s.met, s.inside)).collect()
+        pixel.trail.steps.iter().map(|s| (s.kind, s.depth, s.hit, s.inside)).collect()
     };
-    assert_eq!(tree(first), [(RayKind::Primary, 0, Met::Sky, false)]);
-    assert!(matches!(tree(last).as_slice(), [(RayKind::Primary, 0, Met::Floor { .. }, false)]));
+    assert_eq!(tree(first), [(RayKind::Primary, 0, HitKind::Sky, false)]);
+    assert!(matches!(tree(last).as_slice(), [(RayKind::Primary, 0, HitKind::Floor { .. }, false)]));
     let center = all.get((20 * width + 32) as usize).expect("the middle");
-    let glass = Met::Object(Object::Sphere(0));
+    let glass = HitKind::Object(Object::Sphere(0));
     let [primary, reflected, inner, ..] = tree(center)[..] else { panic!("a tree: {center:?}") };
     assert_eq!(primary, (RayKind::Primary, 0, glass, false));
     assert_eq!((reflected.0, reflected.1), (RayKind::Reflected, 1));
-    assert!(center.trail.steps.iter().any(|s| s.met == glass && s.inside && s.kind == RayKind::Transmitted));
-    let ball = Met::Object(Object::Sphere(1));
-    assert!(all.iter().any(|p| p.trail.steps.iter().any(|s| s.met == ball && s.depth == 0)));
+    assert!(center.trail.steps.iter().any(|s| s.hit == glass && s.inside && s.kind == RayKind::Transmitted));
+    let ball = HitKind::Object(Object::Sphere(1));
+    assert!(all.iter().any(|p| p.trail.steps.iter().any(|s| s.hit == ball && s.depth == 0)));
     assert!(inner.1 <= 2);
     let shines = || all.iter().flat_map(|p| &p.trail.steps).flat_map(|s| &s.lamps);
     let front = |wanted: f64| {
-        shines().any(|s| matches!(s, Shine::Front { part, .. } if (part - wanted).abs() < 1e-12))
+        shines().any(|s| matches!(s, Visibility::Front { part, .. } if (part - wanted).abs() < 1e-12))
     };
     for (part, name) in [(1.0, "lit"), (0.0, "in shadow"), (0.75, "behind the glass")] {
         assert!(front(part), "{name}");
     }
-    assert!(shines().any(|s| matches!(s, Shine::Front { glint: true, .. })), "a highlight");
-    assert!(shines().any(|s| matches!(s, Shine::Behind)));
+    assert!(shines().any(|s| matches!(s, Visibility::Front { glint: true, .. })), "a highlight");
+    assert!(shines().any(|s| matches!(s, Visibility::Behind)));
     assert!(all.iter().flat_map(|p| &p.trail.steps).any(|s| s.total_reflection));
-    assert!(all.iter().any(|p| p.trail.steps.iter().any(|s| s.met == Met::Object(Object::Lamp(1)))));
+    assert!(all.iter().any(|p| p.trail.steps.iter().any(|s| s.hit == HitKind::Object(Object::Lamp(1)))));
     // Everything is like itself and unlike its neighbour across an edge.
     assert_eq!(center.trail.parting(&center.trail), None);
     assert_eq!(center.trail.parting(&first.trail), Some(0));

@@ -13,7 +13,7 @@ use rta_core::scene::{Object, Scene};
 use rta_core::trace::refract;
 use rta_scenes::narrow::Narrow;
 
-use super::trail::{Met, Shine, Step, Trail};
+use super::ray_tree::{HitKind, RayTree, Step, Visibility};
 use super::{Value, log};
 
 /// A scalar whose quantities can be read; paired ones too.
@@ -23,7 +23,7 @@ impl<S: Value + Narrow<Unit: Value, Light: Value>> Readable for S {}
 /// What has been seen of a pixel so far.
 #[derive(Debug, Default)]
 pub(super) struct Notes {
-    pub(super) trail: Trail,
+    pub(super) trail: RayTree,
     /// Depths of the rays that are to come, the next one last.
     expected: Vec<u8>,
     /// The lamp that the model was asked about last.
@@ -32,7 +32,7 @@ pub(super) struct Notes {
 
 impl Notes {
     /// How the lamp shines that the model was asked about last.
-    fn shine(&mut self) -> Option<&mut Shine> {
+    fn shine(&mut self) -> Option<&mut Visibility> {
         self.trail.steps.last_mut()?.lamps.get_mut(self.lamp)
     }
 }
@@ -51,22 +51,22 @@ pub(super) struct Witness<'a, S: Scalar, M> {
 
 impl<S: Readable, M> Witness<'_, S, M> {
     /// The object to which a surface belongs, told by where its material is.
-    fn object(&self, surface: &Surface<S>) -> Met {
+    fn object(&self, surface: &Surface<S>) -> HitKind {
         let is = |material| ptr::eq(material, surface.material);
         let scene = &self.scene;
         if let Some(i) = scene.spheres.iter().position(|s| is(&s.material)) {
-            Met::Object(Object::Sphere(i))
+            HitKind::Object(Object::Sphere(i))
         } else if let Some(i) = scene.ellipsoids.iter().position(|e| is(&e.material)) {
-            Met::Object(Object::Ellipsoid(i))
+            HitKind::Object(Object::Ellipsoid(i))
         } else if let Some(i) = scene.cylinders.iter().position(|c| is(&c.material)) {
-            Met::Object(Object::Cylinder(i))
+            HitKind::Object(Object::Cylinder(i))
         } else if let Some(i) = scene.cones.iter().position(|c| is(&c.material)) {
-            Met::Object(Object::Cone(i))
+            HitKind::Object(Object::Cone(i))
         } else if let Some(i) = scene.triangles.iter().position(|t| is(&t.material)) {
-            Met::Object(Object::Triangle(i))
+            HitKind::Object(Object::Triangle(i))
         } else {
             let even = scene.floor.as_ref().map(|floor| values::<S>(floor.colors[0]));
-            Met::Floor { odd: even != Some(values::<S>(surface.color)) }
+            HitKind::Floor { odd: even != Some(values::<S>(surface.color)) }
         }
     }
 }
@@ -91,7 +91,7 @@ impl<S: Readable, M: Illumination<S>> Illumination<S> for Witness<'_, S, M> {
         notes.trail.steps.push(Step {
             kind,
             depth,
-            met: Met::Sky,
+            hit: HitKind::Sky,
             distance: None,
             inside: false,
             total_reflection: false,
@@ -105,17 +105,17 @@ impl<S: Readable, M: Illumination<S>> Illumination<S> for Witness<'_, S, M> {
         let mut lamps = self.scene.lamps.iter();
         let lamp = log::pause(|| lamps.position(|l| l.radius.value() > 0.0 && same(l.radiance())));
         if let (Some(i), Some(step)) = (lamp, lock(self.notes).trail.steps.last_mut()) {
-            step.met = Met::Object(Object::Lamp(i));
+            step.hit = HitKind::Object(Object::Lamp(i));
         }
     }
 
     fn ambient<N: Needs>(&self, surface: &Surface<S>, ambient: Rgb<S::Light>) -> Rgb<S::Light> {
         let lamps = if self.model.is_lit::<N>(surface) { self.scene.lamps.len() } else { 0 };
         if let Some(step) = lock(self.notes).trail.steps.last_mut() {
-            step.met = self.object(surface);
+            step.hit = self.object(surface);
             step.distance = Some(surface.distance.value());
             step.inside = surface.inside;
-            step.lamps = vec![Shine::Behind; lamps];
+            step.lamps = vec![Visibility::Behind; lamps];
         }
         self.model.ambient::<N>(surface, ambient)
     }
@@ -136,14 +136,14 @@ impl<S: Readable, M: Illumination<S>> Illumination<S> for Witness<'_, S, M> {
         notes.lamp = self.scene.lamps.iter().position(|l| ptr::eq(l, incident.lamp)).unwrap_or(usize::MAX);
         if let Some(shine) = notes.shine() {
             let is_dark = values == Rgb::new(0.0, 0.0, 0.0);
-            *shine = if is_dark { Shine::Faint } else { Shine::Front { part: 1.0, glint } };
+            *shine = if is_dark { Visibility::Faint } else { Visibility::Front { part: 1.0, glint } };
         }
         light
     }
 
     fn note_shadow(&self, through: S::Unit) {
         self.model.note_shadow(through);
-        if let Some(Shine::Front { part, .. }) = lock(self.notes).shine() {
+        if let Some(Visibility::Front { part, .. }) = lock(self.notes).shine() {
             *part = through.value();
         }
     }

@@ -11,14 +11,13 @@ use rta_core::raster::Raster;
 use rta_core::sampling::Sampling;
 use rta_core::scalar::Unit;
 use rta_core::trace::Tracer;
-use rta_core::{Q16, Q20};
 use rta_scenes::description::Description;
 use rta_scenes::narrow::{Narrow, Narrowed, narrow};
 
 use super::setting::{DEPTHS, LIMITS, Limit, REFERENCE_DEPTH};
 use super::tap::{self, Tap};
 use crate::engine::tally::Rays;
-use crate::engine::{EngineError, Format, MAX_DEPTH};
+use crate::engine::{EngineError, Format, MAX_DEPTH, in_format};
 use crate::request::sampling::Cutoff;
 
 /// Linear light of pixels, each register from 0 to 1.
@@ -107,12 +106,7 @@ pub fn bench(scene: &Description, aspect: f64, format: Format) -> Result<Box<dyn
         narrowed.scene().admit(&narrowed.camera).map_err(rta_core::Error::from)?;
         Ok(Box::new(narrowed))
     }
-    match format {
-        Format::F32 => ready::<f32>(scene, aspect),
-        Format::F64 => ready::<f64>(scene, aspect),
-        Format::Q16 => ready::<Q16>(scene, aspect),
-        Format::Q20 => ready::<Q20>(scene, aspect),
-    }
+    in_format!(format, S => ready::<S>(scene, aspect))
 }
 
 type Traced<'a, S, M> = Tracer<'a, S, M, Everything, { MAX_DEPTH as usize }>;

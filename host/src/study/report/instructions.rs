@@ -12,9 +12,9 @@ use super::setting::{Limit, Method, samplings};
 use crate::args::InstructionsArgs;
 use crate::engine::EngineError;
 use crate::engine::callgrind::{self, CountError};
-use crate::error::Error;
-use crate::request::fit::Hint;
+use crate::request::error::{Hint, RequestError};
 use crate::request::scene_file::SceneFile;
+use crate::study::error::StudyError;
 
 /// The function that is counted, as callgrind is told: the end of its path, or that and what it is generic over. (To
 /// callgrind, a star at the end is at least one letter.)
@@ -44,9 +44,9 @@ pub fn order() -> impl Iterator<Item = (Method, Limit)> {
 ///
 /// # Errors
 /// Those of reading a scene and making it ready.
-pub fn run(args: &InstructionsArgs) -> Result<(), Error> {
+pub fn run(args: &InstructionsArgs) -> Result<(), StudyError> {
     let scene = SceneFile::open(Path::new("-"))?;
-    let failed = |source| Error::Engine { name: scene.source.clone(), source, fit: Hint::None };
+    let failed = |source| RequestError::Engine { name: scene.source.clone(), source, fit: Hint::None };
     let raster =
         Raster::new(args.size.width(), args.size.height()).map_err(EngineError::from).map_err(failed)?;
     for (method, limit) in order() {

@@ -19,12 +19,12 @@ use crate::engine::callgrind::CountError;
 use crate::engine::progress::Progress;
 use crate::engine::tally::Rays;
 use crate::engine::{EngineError, Format};
-use crate::error::Error;
 use crate::picture::device::Device;
 use crate::picture::file::Pixels;
 use crate::picture::raster::Size;
 use crate::picture::screen::{Screen, TableKind};
-use crate::request::fit::Hint;
+use crate::request::error::{Hint, RequestError};
+use crate::study::error::StudyError;
 
 /// The devices whose display error is measured.
 pub const DEVICES: [Device; 3] = [Device::Vga, Device::Graphigs, Device::Pixrect];
@@ -106,16 +106,16 @@ pub struct Setup<'a> {
 }
 
 impl Setup<'_> {
-    fn go_on(&self) -> Result<(), Error> {
-        if self.stop.load(Ordering::Relaxed) { Err(Error::Interrupted) } else { Ok(()) }
+    fn go_on(&self) -> Result<(), StudyError> {
+        if self.stop.load(Ordering::Relaxed) { Err(StudyError::INTERRUPTED) } else { Ok(()) }
     }
 }
 
 /// Makes the study of a scene; `done` steps of the progress are behind it.
 ///
 /// # Errors
-/// [`Error::Engine`], [`Error::Display`] and [`Error::Interrupted`].
-pub fn study(source: &Source, setup: Setup, progress: &mut Progress, done: u32) -> Result<Study, Error> {
+/// [`RequestError::Engine`], [`PictureError::Display`] and [`BandsError::Interrupted`].
+pub fn study(source: &Source, setup: Setup, progress: &mut Progress, done: u32) -> Result<Study, StudyError> {
     let counting = thread::scope(|scope| {
         // Callgrind has one core for itself; the pictures take what is left.
         let counts = setup.program.map(|program| {
@@ -148,20 +148,25 @@ pub fn study(source: &Source, setup: Setup, progress: &mut Progress, done: u32) 
     Ok(Study { title: source.title.clone(), size, rows, uncounted })
 }
 
-fn ready(source: &Source, setup: Setup, format: Format) -> Result<Box<dyn Bench>, Error> {
+fn ready(source: &Source, setup: Setup, format: Format) -> Result<Box<dyn Bench>, StudyError> {
     bench(&source.scene.description, setup.aspect, format).map_err(failed(source))
 }
 
-fn failed(source: &Source) -> impl Fn(EngineError) -> Error {
-    |error| Error::Engine { name: source.scene.source.clone(), source: error, fit: Hint::None }
+fn failed(source: &Source) -> impl Fn(EngineError) -> StudyError {
+    |error| RequestError::Engine { name: source.scene.source.clone(), source: error, fit: Hint::None }.into()
 }
 
-fn raster(source: &Source, setup: Setup) -> Result<Raster, Error> {
+fn raster(source: &Source, setup: Setup) -> Result<Raster, StudyError> {
     Raster::new(setup.size.width(), setup.size.height()).map_err(EngineError::from).map_err(failed(source))
 }
 
 /// All errors and rays.
-fn pictures(source: &Source, setup: Setup, progress: &mut Progress, done: u32) -> Result<Vec<Row>, Error> {
+fn pictures(
+    source: &Source,
+    setup: Setup,
+    progress: &mut Progress,
+    done: u32,
+) -> Result<Vec<Row>, StudyError> {
     let raster = raster(source, setup)?;
     let (all, sparse) = (Lattice::all(raster), Lattice::every(raster, TRUTH_STEP));
     let exact = ready(source, setup, Format::F64)?;
@@ -201,7 +206,7 @@ struct Judge<'a> {
 
 impl Judge<'_> {
     /// `same` is the picture in `f64` with the same limit.
-    fn row(&self, limit: Limit, picture: &Picture, rays: Rays, same: &Picture) -> Result<Row, Error> {
+    fn row(&self, limit: Limit, picture: &Picture, rays: Rays, same: &Picture) -> Result<Row, StudyError> {
         let whole = &self.reference.whole;
         let between = |a: &Picture, b: &Picture| Difference::between(a, b, LEVEL);
         let mut display = [Difference { rmse: 0.0, worst: 0.0, within: 1.0 }; 3];
@@ -225,7 +230,7 @@ impl Judge<'_> {
 }
 
 /// What a device makes of a picture, in levels of its guns.
-fn displayed(device: Device, setup: Setup, picture: &Picture) -> Result<Difference, Error> {
+fn displayed(device: Device, setup: Setup, picture: &Picture) -> Result<Difference, StudyError> {
     let most = device.capabilities().gun_max;
     let levels: Vec<_> = picture.iter().map(|light| light.levels(most)).collect();
     let mut screen = Screen::new(device, TableKind::Tolerant, setup.size, setup.aspect)?;
@@ -257,7 +262,7 @@ struct Parts<'a> {
 
 impl Parts<'_> {
     /// Of a method, for each limit.
-    fn rays(&self, format: Format, sampling: Sampling) -> Result<Vec<f64>, Error> {
+    fn rays(&self, format: Format, sampling: Sampling) -> Result<Vec<f64>, StudyError> {
         let bench = ready(self.source, self.setup, format)?;
         let pictures = bench.pictures(sampling, self.lattice, false).map_err(failed(self.source))?;
         Ok(pictures.limited.iter().map(|(_, rays)| count(*rays)).collect())
@@ -271,7 +276,12 @@ fn count(rays: Rays) -> f64 {
 }
 
 /// From the instructions of a part of the pixels to those of the whole picture, by its rays.
-fn scale_instructions(source: &Source, setup: Setup, counts: &[u64], rows: &mut [Row]) -> Result<(), Error> {
+fn scale_instructions(
+    source: &Source,
+    setup: Setup,
+    counts: &[u64],
+    rows: &mut [Row],
+) -> Result<(), StudyError> {
     let lattice = Lattice::every(raster(source, setup)?, instructions::STEP);
     let parts = Parts { source, setup, lattice };
     let methods: Vec<_> = instructions::order().map(|(method, _)| method).step_by(LIMITS).collect();
@@ -297,7 +307,12 @@ fn scale(count: u64, factor: f64) -> u64 {
 }
 
 /// CPU seconds, scaled up like the instructions.
-fn times(source: &Source, setup: Setup, rows: &mut [Row], mut reached: impl FnMut(u32)) -> Result<(), Error> {
+fn times(
+    source: &Source,
+    setup: Setup,
+    rows: &mut [Row],
+    mut reached: impl FnMut(u32),
+) -> Result<(), StudyError> {
     let lattice = Lattice::every(raster(source, setup)?, TIME_STEP);
     let parts = Parts { source, setup, lattice };
     let mut part = 0;

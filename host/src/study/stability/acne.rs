@@ -17,23 +17,12 @@ use super::aim::{Round, Triple, across, add, length, magnitude, sphere, unit};
 use super::cases::Case;
 use super::exact::{Exact, rounded};
 use super::guard::guarded;
-use super::measure::Measured;
+use super::outcome::Measured;
 
 /// Points that share an eye and a lamp.
 const BLOCK: usize = 64;
 /// Objects of a scene that are looked at, the first ones.
 const OBJECTS: usize = 8;
-
-/// What the search found.
-#[derive(Clone, Debug, Default)]
-pub struct Acne {
-    /// Points with acne.
-    pub points: u64,
-    /// Points that were looked at.
-    pub of: u64,
-    /// The first point with acne.
-    pub first: Option<String>,
-}
 
 /// Looks at about `points` points of the convex objects of a case, each object on its own.
 ///

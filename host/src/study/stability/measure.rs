@@ -3,6 +3,7 @@
 use core::sync::atomic::{AtomicU64, Ordering};
 
 use fastrand::Rng;
+use rta_core::Scalar;
 use rta_core::color::Rgb;
 use rta_core::illumination::{Illumination, RayKind, Rta, Secondary, Surface, Whitted};
 use rta_core::light::Incident;
@@ -11,95 +12,29 @@ use rta_core::range::Admitted;
 use rta_core::ray::Ray;
 use rta_core::trace::Tracer;
 use rta_core::vector::{UnitVec3, Vector};
-use rta_core::{Q16, Q20, Scalar};
 use rta_scenes::description::Description;
 use rta_scenes::narrow::{Narrow, Narrowed, narrow};
 
-use super::acne::{self, Acne};
+use super::acne;
 use super::aim::{Drawn, unit};
 use super::cases::Case;
 use super::exact::{Exact, rounded};
-use super::guard::{Failure, guarded};
-use crate::engine::{EngineError, Format, MAX_DEPTH};
+use super::guard::guarded;
+pub use super::outcome::{Measured, Outcome};
+use crate::engine::{EngineError, Format, MAX_DEPTH, in_format};
 
 /// Rays from one eye.
 const BLOCK: usize = 256;
 /// The brightest level of a gun of 8 bits.
 const LEVELS: f64 = 255.0;
 
-/// What a case did in a format.
-#[derive(Clone, Debug)]
-pub enum Outcome {
-    /// The format does not admit the scene: the reason.
-    Refused(String),
-    /// It was traced.
-    Traced(Measured),
-}
-
-/// Counts and errors of one case in one format.
-#[derive(Clone, Debug, Default)]
-pub struct Measured {
-    /// Rays from the eye.
-    pub samples: usize,
-    /// Rays of all kinds that the format traced for them.
-    pub rays: u64,
-    /// Panics that were no overflow.
-    pub panics: u64,
-    /// Numbers that left their format, where the build looks for them.
-    pub overflows: u64,
-    /// Lights with a register that is not finite.
-    pub non_finite: u64,
-    /// Points of a convex object on its own that see themselves.
-    pub acne: Acne,
-    /// Eye rays that meet something else than in `f64`, or something instead of nothing.
-    pub wrong: u64,
-    /// How far the worst register is from `f64`, in levels of 255: the median of the rays that meet the same.
-    pub median: f64,
-    /// The same for the worst hundredth.
-    pub p99: f64,
-    /// The same for the worst ray.
-    pub worst: f64,
-    /// What the first panic or overflow said.
-    pub failure: Option<String>,
-}
-
-impl Measured {
-    /// Whether nothing happened that must not.
-    #[must_use]
-    pub fn is_sound(&self) -> bool {
-        self.panics == 0 && self.overflows == 0 && self.non_finite == 0 && self.acne.points == 0
-    }
-
-    /// Takes note of a panic.
-    pub fn failed(&mut self, failure: Failure) {
-        if failure.is_overflow {
-            self.overflows += 1;
-        } else {
-            self.panics += 1;
-        }
-        self.failure.get_or_insert(failure.message);
-    }
-
-    fn spread(&mut self, errors: &mut [f64]) {
-        errors.sort_unstable_by(f64::total_cmp);
-        let at = |index: usize| errors.get(index).copied().unwrap_or(0.0);
-        let last = errors.len().saturating_sub(1);
-        (self.median, self.p99, self.worst) = (at(last / 2), at(last - last / 100), at(last));
-    }
-}
-
 /// Traces about `samples` rays of a case from its eyes, in `format` and in `f64`.
 #[must_use]
 pub fn measure(case: &Case, format: Format, samples: usize) -> Outcome {
-    match format {
-        Format::F32 => in_format::<f32>(case, samples),
-        Format::F64 => in_format::<f64>(case, samples),
-        Format::Q16 => in_format::<Q16>(case, samples),
-        Format::Q20 => in_format::<Q20>(case, samples),
-    }
+    in_format!(format, S => measured::<S>(case, samples))
 }
 
-fn in_format<S: Exact>(case: &Case, samples: usize) -> Outcome {
+fn measured<S: Exact>(case: &Case, samples: usize) -> Outcome {
     let mut measured = Measured { samples: (samples / case.thinning).max(1), ..Measured::default() };
     let mut errors = Vec::with_capacity(measured.samples);
     // The same rays for all formats, and others for each case.

@@ -1,11 +1,11 @@
-//! Arguments of `rta bench`.
+//! Arguments of the studies: `rta bench`, `rta report` and `rta stability`, and of their children under valgrind.
 
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 
 use crate::engine::{Format, MAX_DEPTH};
-use crate::picture::raster::Size;
+use crate::picture::raster::{Aspect, Size};
 
 /// `rta bench`.
 #[derive(Args, Clone, Debug)]
@@ -67,4 +67,45 @@ pub struct TracedArgs {
     /// Recursion depth.
     #[arg(long, default_value_t = 5)]
     pub depth: u32,
+}
+
+/// `rta report`.
+#[derive(Args, Debug)]
+pub struct ReportArgs {
+    /// Scene files (.dat or .nff); without one, the three that come with the program
+    pub scenes: Vec<PathBuf>,
+    /// Folder that the report is written to; it is made if it is not there
+    #[arg(short, long, value_name = "FOLDER")]
+    pub output: PathBuf,
+    /// Do not count instructions: cost is rays
+    #[arg(long)]
+    pub no_instructions: bool,
+    /// Pixels of the pictures, up to 320x200; few are soon measured, and badly
+    #[arg(long, value_name = "WxH", default_value = "320x200", hide = true)]
+    pub size: Size,
+    /// Shape of the screen.
+    #[arg(long, value_name = "RATIO", default_value = "4:3", hide = true)]
+    pub aspect: Aspect,
+}
+
+/// `rta instructions`: the scene comes from standard input.
+#[derive(Args, Debug)]
+pub struct InstructionsArgs {
+    /// Pixels of the pictures.
+    #[arg(long)]
+    pub size: Size,
+    /// Shape of the screen.
+    #[arg(long)]
+    pub aspect: Aspect,
+}
+
+/// `rta stability`.
+#[derive(Args, Debug)]
+pub struct StabilityArgs {
+    /// Rays from the eye, for each case and format
+    #[arg(long, default_value_t = 200_000, value_name = "N")]
+    pub rays: usize,
+    /// Markdown file that gets the table too, in the place that is marked in it for that
+    #[arg(short, long, value_name = "FILE")]
+    pub output: Option<PathBuf>,
 }
