@@ -1,5 +1,4 @@
 //! `rta report` from outside, instructions included where valgrind is installed.
-#![allow(clippy::indexing_slicing, reason = "a test may panic")]
 
 use std::fs;
 use std::path::Path;
