@@ -3,20 +3,48 @@
 //! A model is asked by the tracer, never the other way: it sees a [`Surface`] and one [`Incident`] lamp at a time, and
 //! says which secondary rays it wants with which [`Weight`]. Changing the model of a picture changes one type parameter.
 
-mod phong;
-mod rta;
-mod whitted;
-
-pub use phong::Phong;
-pub use rta::Rta;
-pub use whitted::Whitted;
-
 use crate::color::Rgb;
 use crate::light::Incident;
 use crate::material::Material;
 use crate::needs::Needs;
 use crate::scalar::{Light, Scalar, Unit};
 use crate::vector::{UnitVec3, Vec3};
+
+/// Declares the module of each model, and lets other crates repeat something for each of them.
+macro_rules! models {
+    (($d:tt) $($module:ident: $Model:ident = $name:literal, $about:literal;)*) => {
+        $(
+            mod $module;
+            pub use $module::$Model;
+        )*
+
+        /// Calls the macro that it is given with all models of `rta_core::illumination`: after the arguments that follow the
+        /// macro's name come, for each model, its type, its name on the command line and what a help text says of it.
+        ///
+        /// What is to be there for each model (a command line's choices, a dispatch) is made by such a macro, so that
+        /// it has a new model by itself. Each type has a `default()`.
+        ///
+        /// ```
+        /// macro_rules! names {
+        ///     ($($Model:ident $name:literal $about:literal)*) => { [$($name),*] };
+        /// }
+        /// assert!(rta_core::with_models!(names).contains(&"phong"));
+        /// ```
+        #[macro_export]
+        macro_rules! with_models {
+            ($d macro:ident $d($d argument:tt)*) => {
+                $d macro! { $d($d argument)* $($Model $name $about)* }
+            };
+        }
+    };
+}
+
+// The models. A new one is its file and its line here: module, type, name, and the words of the help, without a full stop.
+models! { ($)
+    rta: Rta = "rta", "The thesis's: Whitted's with attenuated lamps and cut-out highlights";
+    whitted: Whitted = "whitted", "Whitted 1980: lamps are not attenuated, highlights are powers of a cosine";
+    phong: Phong = "phong", "Phong 1975 with Whitted's rays, the model of NFF: highlights are around the reflected ray";
+}
 
 /// The point that a model is asked about.
 #[derive(Clone, Copy, Debug)]
@@ -71,6 +99,14 @@ pub trait Illumination<S: Scalar>: Send + Sync {
 
     /// Whether lamps behind the surface count too (translucent things).
     const BOTH_SIDES: bool = false;
+
+    /// Whether shiny surfaces reflect, and mirrors and glass show highlights: whoever bakes a scene for the model learns
+    /// from it which [`Needs`] the scene has. A model that leaves this as it is gets more code than it may need, never less.
+    const SPECULAR: bool = true;
+
+    /// Whether the model asks for light that is attenuated with the distance of its lamp ([`Incident::irradiance`]): it
+    /// decides the need [`Needs::ATTENUATION`], and how bright lamps have to be in a scene that is scaled.
+    const ATTENUATION: bool = true;
 
     /// What the point sends back of the scene's ambient light.
     fn ambient<N: Needs>(&self, surface: &Surface<S>, ambient: Rgb<S::Light>) -> Rgb<S::Light>;

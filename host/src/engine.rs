@@ -1,75 +1,35 @@
 //! The engine: a scene made ready in one number format and one illumination model, both chosen when the program runs.
 
-use core::fmt;
-
+use rta_core::Error;
 use rta_core::color::Rgb;
-use rta_core::illumination::{Illumination, Phong, Rta, Whitted};
+use rta_core::illumination::Illumination;
 use rta_core::needs::Everything;
 use rta_core::range::{Admitted, Limits};
 use rta_core::raster::{Pixels, Raster};
 use rta_core::sampling::{Sampling, Supersampled};
 use rta_core::scalar::Unit;
 use rta_core::trace::Tracer;
-use rta_core::{Error, Q16, Q20};
-use rta_scenes::description::{self, Description};
+use rta_scenes::description::Description;
 use rta_scenes::narrow::{Narrow, NarrowError, Narrowed, narrow};
 
-use crate::sampling::Cutoff;
-use crate::tally::{Rays, Tally};
+pub mod admission;
+pub mod bands;
+pub mod callgrind;
+pub mod cutoff;
+pub mod format;
+pub mod interrupt;
+pub mod model;
+pub mod progress;
+pub mod tally;
 
-/// The number format that a picture is computed in.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, clap::ValueEnum)]
-pub enum Format {
-    /// 32-bit float.
-    F32,
-    /// 64-bit float: the reference.
-    F64,
-    /// Fixed point: lengths in Q16.16, unit vectors in Q2.30. The same bytes on every machine.
-    Q16,
-    /// Fixed point: lengths in Q12.20, finer and shorter, unit vectors in Q2.30. The same bytes on every machine.
-    Q20,
-}
+pub use cutoff::Cutoff;
+pub use format::Format;
+pub use model::Model;
 
-/// The illumination model.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, clap::ValueEnum)]
-pub enum Model {
-    /// The thesis's: Whitted's with attenuated lamps and cut-out highlights.
-    Rta,
-    /// Whitted 1980: lamps are not attenuated, highlights are powers of a cosine.
-    Whitted,
-    /// Phong 1975 with Whitted's rays, the model of NFF: highlights are around the reflected ray.
-    Phong,
-}
+pub(crate) use format::in_format;
+pub(crate) use model::in_model;
 
-impl From<description::Model> for Model {
-    fn from(model: description::Model) -> Self {
-        match model {
-            description::Model::Rta => Self::Rta,
-            description::Model::Phong => Self::Phong,
-        }
-    }
-}
-
-impl fmt::Display for Format {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::F32 => "f32",
-            Self::F64 => "f64",
-            Self::Q16 => "q16",
-            Self::Q20 => "q20",
-        })
-    }
-}
-
-impl fmt::Display for Model {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Rta => "rta",
-            Self::Whitted => "whitted",
-            Self::Phong => "phong",
-        })
-    }
-}
+use tally::{Rays, Tally};
 
 /// How a picture is computed.
 #[derive(Clone, Debug, PartialEq)]
@@ -206,12 +166,7 @@ impl Engine {
     /// # Errors
     /// Whatever keeps it from being drawn with these settings; once there is an engine, nothing does.
     pub fn new(scene: &Description, settings: &Settings) -> Result<Self, EngineError> {
-        let rows = match settings.format {
-            Format::F32 => modelled::<f32>(scene, settings)?,
-            Format::F64 => modelled::<f64>(scene, settings)?,
-            Format::Q16 => modelled::<Q16>(scene, settings)?,
-            Format::Q20 => modelled::<Q20>(scene, settings)?,
-        };
+        let rows = in_format!(settings.format, S => modelled::<S>(scene, settings))?;
         Ok(Self { settings: settings.clone(), rows })
     }
 
@@ -237,11 +192,7 @@ impl Engine {
 }
 
 fn modelled<S: Narrow>(scene: &Description, settings: &Settings) -> Result<Box<dyn Rows>, EngineError> {
-    match settings.model {
-        Model::Rta => picture::<S, _>(scene, settings, Rta),
-        Model::Whitted => picture::<S, _>(scene, settings, Whitted::default()),
-        Model::Phong => picture::<S, _>(scene, settings, Phong::default()),
-    }
+    in_model!(settings.model, model => picture::<S, _>(scene, settings, model))
 }
 
 fn picture<S: Narrow, M: Illumination<S> + Copy + 'static>(

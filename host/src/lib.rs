@@ -18,34 +18,23 @@
 #![forbid(unsafe_code)]
 
 pub mod args;
-pub mod bake;
-pub mod bands;
-pub mod bench;
-pub mod callgrind;
-pub mod check;
-pub mod device;
+pub mod commands;
 pub mod engine;
 pub mod error;
-pub mod explain;
-pub mod fit;
-pub mod frame;
-pub mod hash;
-pub mod interrupt;
-pub mod output;
-pub mod paired;
 pub mod picture;
-pub mod progress;
-pub mod raster;
-pub mod render;
-pub mod report;
 pub mod request;
-pub mod sampling;
-pub mod scene;
-pub mod screen;
-pub mod show;
-pub mod stability;
-pub mod tally;
-pub mod window;
+pub mod study;
+
+pub use commands::{render, show};
+pub use engine::bands;
+pub use picture::{device, raster, screen};
+pub use request::sampling;
+pub use study::{bench, paired, report, stability};
+
+/// Scene files, and those that the program carries in itself.
+pub mod scene {
+    pub use crate::request::scene_file::SceneFile as Scene;
+}
 
 /// The code of the README, compiled and run with the other examples.
 #[cfg(doctest)]

@@ -6,8 +6,11 @@ use std::process::ExitCode;
 
 use clap::Parser;
 use rta::args::{Cli, Command, ShowArgs};
+use rta::commands::show::window;
+use rta::commands::{bake, check, explain, hash, render};
+use rta::engine::interrupt;
 use rta::error::Error;
-use rta::{bake, bench, check, explain, hash, interrupt, render, report, stability, window};
+use rta::study::{bench, report, stability};
 
 /// Status after any error.
 const FAILED: u8 = 2;
@@ -25,28 +28,33 @@ fn main() -> ExitCode {
             return ExitCode::SUCCESS;
         }
     };
-    let outcome = match cli.command {
-        None => window::run(&ShowArgs::default()),
-        Some(Command::Show(args)) => window::run(&args),
-        Some(Command::Render(args)) => render::run(&args),
-        Some(Command::Report(args)) => report::run(&args),
-        Some(Command::Instructions(args)) => report::instructions::run(&args),
-        Some(Command::Bench(args)) => bench::run(&args),
-        Some(Command::Traced(args)) => bench::child::run(&args),
-        Some(Command::Stability(args)) => stability::run(&args),
-        Some(Command::Check(args)) => check::run(&args),
-        Some(Command::Bake(args)) => bake::run(&args),
-        Some(Command::Hash(args)) => hash::run(&args),
-        Some(Command::Explain(args)) => explain::run(&args),
-    };
-    match outcome {
-        Ok(()) | Err(Error::BrokenPipe) => ExitCode::SUCCESS,
-        Err(Error::Interrupted) => interrupt::STATUS.into(),
+    match run(cli.command) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) if error.is_broken_pipe() => ExitCode::SUCCESS,
+        Err(error) if error.is_interruption() => interrupt::STATUS.into(),
         Err(error) => {
             complain(&format!("error: {error}\n"));
             FAILED.into()
         }
     }
+}
+
+fn run(command: Option<Command>) -> Result<(), Error> {
+    match command {
+        None => window::run(&ShowArgs::default())?,
+        Some(Command::Show(args)) => window::run(&args)?,
+        Some(Command::Render(args)) => render::run(&args)?,
+        Some(Command::Report(args)) => report::run(&args)?,
+        Some(Command::Instructions(args)) => report::instructions::run(&args)?,
+        Some(Command::Bench(args)) => bench::run(&args)?,
+        Some(Command::Traced(args)) => bench::child::run(&args)?,
+        Some(Command::Stability(args)) => stability::run(&args)?,
+        Some(Command::Check(args)) => check::run(&args)?,
+        Some(Command::Bake(args)) => bake::run(&args)?,
+        Some(Command::Hash(args)) => hash::run(&args)?,
+        Some(Command::Explain(args)) => explain::run(&args)?,
+    }
+    Ok(())
 }
 
 /// Standard error may be closed too: then nobody wants to know.

@@ -1,16 +1,23 @@
 //! What is asked for: a picture of a scene, on a display, traced in some way.
 
+pub mod error;
+pub mod fit;
+pub mod sampling;
+pub mod scene_file;
+
 use rta_core::sampling::Sampling;
 
-use crate::device::Target;
-use crate::engine::{Engine, Format, Model, Settings};
-use crate::error::Error;
-use crate::fit::Fit;
-use crate::picture::Caption;
-use crate::raster::{Aspect, Size};
-use crate::sampling::Cutoff;
-use crate::scene::Scene;
-use crate::screen::TableKind;
+use crate::args::TracingArgs;
+use crate::engine::{Cutoff, Engine, Format, Model, Settings};
+
+use crate::picture::device::Target;
+use crate::picture::error::PictureError;
+use crate::picture::file::Caption;
+use crate::picture::raster::{Aspect, Size};
+use crate::picture::screen::TableKind;
+use error::RequestError;
+use fit::Fit;
+use scene_file::SceneFile;
 
 /// What the options of a command say.
 #[derive(Clone, Debug, PartialEq)]
@@ -37,18 +44,39 @@ pub struct Request {
     pub fit: bool,
 }
 
+impl TracingArgs {
+    /// The request that these arguments make of `target`, whatever the scene: with the thesis's model where they name
+    /// none.
+    #[must_use]
+    pub fn request(&self, target: Target) -> Request {
+        let Self { format, depth, cutoff, table, size, aspect, fit, .. } = *self;
+        let model = self.model.unwrap_or(Model::Rta);
+        let sampling = self.samples.sampling(self.jitter);
+        Request { target, table, format, model, depth, cutoff, sampling, size, aspect, fit }
+    }
+
+    /// The same for a scene.
+    ///
+    /// # Errors
+    /// Those of [`Request::for_scene`].
+    pub fn request_for(&self, target: Target, scene: &SceneFile) -> Result<Request, RequestError> {
+        self.request(target).for_scene(self.model, scene)
+    }
+}
+
 impl Request {
     /// The request for a scene. The model is the one that was `asked` for, else the one that the scene was made for;
     /// where neither the request nor a device has a size, it is the scene's, with square pixels.
     ///
     /// # Errors
-    /// [`Error::SceneSize`].
-    pub fn for_scene(mut self, asked: Option<Model>, scene: &Scene) -> Result<Self, Error> {
+    /// [`RequestError::SceneSize`].
+    pub fn for_scene(mut self, asked: Option<Model>, scene: &SceneFile) -> Result<Self, RequestError> {
         self.model = asked.unwrap_or(scene.description.model.into());
         if let (Target::None, None, Some([width, height])) =
             (self.target, self.size, scene.description.raster)
         {
-            let failed = |reason| Error::SceneSize { name: scene.source.clone(), width, height, reason };
+            let failed =
+                |reason| RequestError::SceneSize { name: scene.source.clone(), width, height, reason };
             let size = Size::new(width, height).map_err(failed)?;
             let square = || Aspect::new(size.ratio()).map_err(failed);
             self.size = Some(size);
@@ -63,14 +91,14 @@ impl Request {
     /// pixels. Without a device, pixels are square, except that 320 x 200 is the 4 : 3 screen of mode 13h.
     ///
     /// # Errors
-    /// [`Error::LargerThanDevice`], and [`Error::Shape`] if the window is too narrow or too wide.
-    pub fn raster(&self) -> Result<(Size, f64), Error> {
+    /// [`PictureError::LargerThanDevice`], and [`RequestError::Shape`] if the window is too narrow or too wide.
+    pub fn raster(&self) -> Result<(Size, f64), RequestError> {
         let (whole, whole_aspect) = (self.target.size(), self.target.aspect());
         let size = self.size.unwrap_or(whole);
         if let Target::On(device) = self.target
             && (size.width() > whole.width() || size.height() > whole.height())
         {
-            return Err(Error::LargerThanDevice { size, device });
+            return Err(PictureError::LargerThanDevice { size, device }.into());
         }
         let natural = match self.target {
             Target::On(_) => size.ratio() / whole.ratio() * whole_aspect,
@@ -79,7 +107,7 @@ impl Request {
         };
         let aspect = match self.aspect {
             Some(aspect) => aspect,
-            None => Aspect::new(natural).map_err(|reason| Error::Shape { size, reason })?,
+            None => Aspect::new(natural).map_err(|reason| RequestError::Shape { size, reason })?,
         };
         Ok((size, aspect.ratio()))
     }
@@ -87,8 +115,8 @@ impl Request {
     /// The scene made ready to be traced as asked. If it is scaled, that is told on standard error.
     ///
     /// # Errors
-    /// Those of [`Request::raster`], and [`Error::Engine`].
-    pub fn engine(&self, scene: &Scene) -> Result<Engine, Error> {
+    /// Those of [`Request::raster`], and [`RequestError::Engine`].
+    pub fn engine(&self, scene: &SceneFile) -> Result<Engine, RequestError> {
         let (size, aspect) = self.raster()?;
         let settings = Settings {
             width: size.width(),
@@ -107,7 +135,7 @@ impl Request {
 
     /// Words for a picture of `scene`.
     #[must_use]
-    pub fn caption(&self, scene: &Scene) -> Caption {
+    pub fn caption(&self, scene: &SceneFile) -> Caption {
         let Self { target, table, format, model, depth, cutoff, sampling, .. } = self;
         let table = match target {
             Target::On(_) => format!(", {table} colour table"),
@@ -129,9 +157,11 @@ impl Request {
 mod tests {
     use super::Request;
     use crate::args::ShowArgs;
-    use crate::device::{Device, Target};
-    use crate::error::Error;
-    use crate::raster::Size;
+    use crate::picture::error::PictureError;
+    use crate::request::error::RequestError;
+
+    use crate::picture::device::{Device, Target};
+    use crate::picture::raster::Size;
 
     fn request(target: Target, size: Option<&str>, aspect: Option<&str>) -> Request {
         let size = size.map(|text| text.parse().expect("a size"));
@@ -165,9 +195,12 @@ mod tests {
     #[test]
     fn what_does_not_fit_is_refused() {
         let large = request(Target::On(Device::Vga), Some("320x201"), None).raster();
-        assert!(matches!(large, Err(Error::LargerThanDevice { device: Device::Vga, .. })));
+        assert!(matches!(
+            large,
+            Err(RequestError::Picture(PictureError::LargerThanDevice { device: Device::Vga, .. }))
+        ));
         let narrow = request(Target::None, Some("1x101"), None).raster();
-        assert!(matches!(narrow, Err(Error::Shape { .. })));
+        assert!(matches!(narrow, Err(RequestError::Shape { .. })));
         assert_eq!(
             request(Target::None, Some("1x101"), Some("1")).raster().expect("told").0,
             Size::new(1, 101).expect("small")

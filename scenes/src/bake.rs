@@ -25,21 +25,22 @@ use core::fmt;
 use std::path::{Path, PathBuf};
 use std::{env, fs, io};
 
-use rta_core::needs::Used;
 use rta_core::range::RangeError;
 use rta_core::{Q16, Q20};
 
-use crate::description::{self, Description};
+use crate::description::Description;
 use crate::error::SceneError;
 use crate::narrow::{NarrowError, narrow};
 use crate::read;
 
 mod literal;
+mod model;
 mod module;
 #[cfg(test)]
 mod tests;
 
 use literal::Literal;
+pub use model::Model;
 
 /// The number format of a baked scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -52,25 +53,6 @@ pub enum Format {
     Q16,
     /// Fixed point, lengths in Q12.20.
     Q20,
-}
-
-/// The illumination model that a baked scene is meant for: it decides what the scene needs.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Model {
-    /// [`rta_core::illumination::Rta`].
-    #[default]
-    Rta,
-    /// [`rta_core::illumination::Whitted`] or [`Phong`](rta_core::illumination::Phong), where shiny things reflect, and mirrors and glass have highlights.
-    Whitted,
-}
-
-impl From<description::Model> for Model {
-    fn from(model: description::Model) -> Self {
-        match model {
-            description::Model::Rta => Self::Rta,
-            description::Model::Phong => Self::Whitted,
-        }
-    }
 }
 
 /// How a scene is baked.
@@ -204,7 +186,7 @@ pub fn module(scene: &Description, name: &str, recipe: &Recipe) -> Result<String
 fn in_format<S: Literal>(scene: &Description, name: &str, recipe: &Recipe) -> Result<String, BakeError> {
     let narrowed = narrow::<S>(scene, recipe.aspect)?.without_lanes(scene);
     let limits = narrowed.scene().admit(&narrowed.camera)?.limits();
-    let used = Used::by(&narrowed.scene(), recipe.model == Model::Whitted);
+    let used = recipe.model.used(&narrowed.scene());
     let mut source = String::new();
     // A String takes all that is written to it.
     let _ = module::write(&mut source, name, &narrowed, limits, used, recipe);

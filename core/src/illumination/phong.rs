@@ -23,6 +23,7 @@ impl<S: Scalar> Default for Phong<S> {
 
 impl<S: Scalar> Illumination<S> for Phong<S> {
     type Weight = S::Unit;
+    const ATTENUATION: bool = false;
 
     fn ambient<N: Needs>(&self, surface: &Surface<S>, ambient: Rgb<S::Light>) -> Rgb<S::Light> {
         self.0.ambient::<N>(surface, ambient)

@@ -27,6 +27,9 @@ impl<S: Scalar> Illumination<S> for Rta {
     /// Mirrors colour their light, so the weight has three registers.
     type Weight = Rgb<S::Unit>;
 
+    /// Only mirrors and glass reflect, and only what is shiny has highlights.
+    const SPECULAR: bool = false;
+
     fn ambient<N: Needs>(&self, surface: &Surface<S>, ambient: Rgb<S::Light>) -> Rgb<S::Light> {
         if !Illumination::<S>::is_lit::<N>(self, surface) {
             return Rgb::BLACK;

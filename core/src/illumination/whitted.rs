@@ -80,6 +80,7 @@ impl<S: Scalar> Whitted<S> {
 
 impl<S: Scalar> Illumination<S> for Whitted<S> {
     type Weight = S::Unit;
+    const ATTENUATION: bool = false;
 
     fn ambient<N: Needs>(&self, surface: &Surface<S>, ambient: Rgb<S::Light>) -> Rgb<S::Light> {
         let part = match surface.material {

@@ -3,7 +3,7 @@
 use std::fs;
 use std::process::{Command, Stdio};
 
-use super::Folder;
+use super::folder::Folder;
 
 /// The cells of a table's rows below its head, by the names in the head.
 fn rows(text: &str) -> Vec<Vec<(String, String)>> {

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 use std::fs;
 
-use super::{Folder, decoder, spoilt};
+use super::folder::{Folder, decoder, spoilt};
 
 #[test]
 fn a_scene_is_baked_into_a_file_or_a_pipe() {

@@ -4,7 +4,7 @@ use std::fs;
 use std::io::Write;
 use std::process::{Output, Stdio};
 
-use super::{Folder, SCENE, decoder};
+use super::folder::{Folder, SCENE, decoder};
 
 const BALLS: &str = include_str!("../../../scenes/balls2.nff");
 

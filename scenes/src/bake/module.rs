@@ -9,8 +9,8 @@ use rta_core::range::Limits;
 use rta_core::shape::Cone;
 use rta_core::vector::{UnitVec3, Vec3, Vector};
 
+use super::Recipe;
 use super::literal::Literal;
-use super::{Model, Recipe};
 use crate::narrow::{Narrow, Narrowed};
 
 /// An item may not need all its names, and nobody reads its numbers.
@@ -26,7 +26,7 @@ pub(super) fn write<S: Literal>(
     recipe: &Recipe,
 ) -> fmt::Result {
     let (format, aspect) = (<S as Narrow>::NAME, recipe.aspect);
-    let model = if recipe.model == Model::Whitted { "whitted" } else { "rta" };
+    let model = recipe.model.representative();
     let name = name.replace(['\n', '\r'], " ");
     writeln!(out, "// {name} in {format} for a screen of the shape {aspect:.4} : 1 and the model {model}.")?;
     writeln!(

@@ -1,0 +1,63 @@
+//! Arguments of the commands that draw a picture: `rta show`, `rta render` and `rta hash`.
+
+use std::path::PathBuf;
+
+use clap::Args;
+
+use super::tracing::TracingArgs;
+use crate::picture::device::{Device, Target};
+use crate::picture::file::FileType;
+
+/// `rta show`.
+#[derive(Args, Debug)]
+pub struct ShowArgs {
+    /// Scene file (.dat or .nff), or - for standard input; without one, the Juggler
+    pub scene: Option<PathBuf>,
+    /// The display to emulate
+    #[arg(long, value_enum, default_value_t = Device::Vga)]
+    pub device: Device,
+    /// How the picture is traced.
+    #[command(flatten)]
+    pub tracing: TracingArgs,
+}
+
+impl Default for ShowArgs {
+    fn default() -> Self {
+        Self { scene: None, device: Device::Vga, tracing: TracingArgs::default() }
+    }
+}
+
+/// `rta render`.
+#[derive(Args, Debug)]
+pub struct RenderArgs {
+    /// Scene file (.dat or .nff), or - for standard input
+    pub scene: PathBuf,
+    /// Picture file: .png, .ppm or .pfm; - is standard output
+    ///
+    /// A PNG from a device is indexed, with the device's own colour table. A PFM holds linear light, unclamped,
+    /// and needs --device none.
+    #[arg(short, long, value_name = "FILE")]
+    pub output: PathBuf,
+    /// The display to emulate, or none for 8 bits a gun without a colour table
+    #[arg(long, value_enum, default_value_t = Target::On(Device::Vga))]
+    pub device: Target,
+    /// Kind of picture, whatever the name of the file says [default: by the extension; png into pipes]
+    #[arg(long = "as", value_enum, value_name = "TYPE")]
+    pub file_type: Option<FileType>,
+    /// How the picture is traced.
+    #[command(flatten)]
+    pub tracing: TracingArgs,
+}
+
+/// `rta hash`.
+#[derive(Args, Debug)]
+pub struct HashArgs {
+    /// Scene file (.dat or .nff), or - for standard input
+    pub scene: PathBuf,
+    /// The display
+    #[arg(long, value_enum, default_value_t = Device::Vga)]
+    pub device: Device,
+    /// How the picture is traced.
+    #[command(flatten)]
+    pub tracing: TracingArgs,
+}

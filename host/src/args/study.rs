@@ -1,0 +1,111 @@
+//! Arguments of the studies: `rta bench`, `rta report` and `rta stability`, and of their children under valgrind.
+
+use std::path::PathBuf;
+
+use clap::{Args, ValueEnum};
+
+use crate::engine::{Format, MAX_DEPTH};
+use crate::picture::raster::{Aspect, Size};
+
+/// `rta bench`.
+#[derive(Args, Clone, Debug)]
+pub struct BenchArgs {
+    /// Scene files (.dat or .nff); without one, the three that come with the program, and random spheres from 22 to 100000
+    /// of which only the eye's rays are traced
+    #[arg(conflicts_with_all = ["record", "check"])]
+    pub scenes: Vec<PathBuf>,
+    /// Number format
+    #[arg(long, value_enum, default_value_t = Format::F32, conflicts_with_all = ["record", "check"])]
+    pub format: Format,
+    /// Pixels of the pictures [default: those of a .nff, else 320x200; of random spheres 512x512]
+    #[arg(long, value_name = "WxH")]
+    pub size: Option<Size>,
+    /// Reflections and refractions that a ray is followed through
+    #[arg(long, default_value_t = 5, value_name = "N", value_parser = clap::value_parser!(u32).range(..=i64::from(MAX_DEPTH)))]
+    pub depth: u32,
+    /// Times that each picture is traced; the quickest counts
+    #[arg(long, default_value_t = 5, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=10_000), conflicts_with_all = ["record", "check"])]
+    pub runs: u32,
+    /// Do not count instructions
+    #[arg(long, conflicts_with_all = ["record", "check"])]
+    pub no_instructions: bool,
+    /// Trace with one thread and with two, and tell how much sooner two are done
+    #[arg(long, conflicts_with_all = ["record", "check"])]
+    pub scaling: bool,
+    /// Another ray tracer that renders the same scenes in turn with rta
+    #[arg(long, value_enum, value_name = "PROGRAM", conflicts_with_all = ["record", "check"])]
+    pub peer: Option<Peer>,
+    /// Write the instructions of small pictures into a CSV file
+    #[arg(long, value_name = "FILE", conflicts_with = "check")]
+    pub record: Option<PathBuf>,
+    /// Count the instructions of small pictures again and fail where there are over 5 % more than in a CSV file
+    ///
+    /// A file of another compiler, machine or profile is not compared. Without valgrind nothing is, which is an error
+    /// where the environment variable CI is set.
+    #[arg(long, value_name = "FILE")]
+    pub check: Option<PathBuf>,
+}
+
+/// A ray tracer to compare with.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Peer {
+    /// POV-Ray 3.7, one thread: the time that it says tracing took, without parsing.
+    Povray,
+}
+
+/// `rta traced`.
+#[derive(Args, Clone, Debug)]
+pub struct TracedArgs {
+    /// Names of scenes in the program, or - for a scene file on standard input.
+    pub scenes: Vec<String>,
+    /// Number formats, each with every scene.
+    #[arg(long, value_enum, value_delimiter = ',')]
+    pub format: Vec<Format>,
+    /// Pixels.
+    #[arg(long)]
+    pub size: Option<Size>,
+    /// Recursion depth.
+    #[arg(long, default_value_t = 5)]
+    pub depth: u32,
+}
+
+/// `rta report`.
+#[derive(Args, Debug)]
+pub struct ReportArgs {
+    /// Scene files (.dat or .nff); without one, the three that come with the program
+    pub scenes: Vec<PathBuf>,
+    /// Folder that the report is written to; it is made if it is not there
+    #[arg(short, long, value_name = "FOLDER")]
+    pub output: PathBuf,
+    /// Do not count instructions: cost is rays
+    #[arg(long)]
+    pub no_instructions: bool,
+    /// Pixels of the pictures, up to 320x200; few are soon measured, and badly
+    #[arg(long, value_name = "WxH", default_value = "320x200", hide = true)]
+    pub size: Size,
+    /// Shape of the screen.
+    #[arg(long, value_name = "RATIO", default_value = "4:3", hide = true)]
+    pub aspect: Aspect,
+}
+
+/// `rta instructions`: the scene comes from standard input.
+#[derive(Args, Debug)]
+pub struct InstructionsArgs {
+    /// Pixels of the pictures.
+    #[arg(long)]
+    pub size: Size,
+    /// Shape of the screen.
+    #[arg(long)]
+    pub aspect: Aspect,
+}
+
+/// `rta stability`.
+#[derive(Args, Debug)]
+pub struct StabilityArgs {
+    /// Rays from the eye, for each case and format
+    #[arg(long, default_value_t = 200_000, value_name = "N")]
+    pub rays: usize,
+    /// Markdown file that gets the table too, in the place that is marked in it for that
+    #[arg(short, long, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+}

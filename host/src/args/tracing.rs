@@ -1,0 +1,71 @@
+//! How a picture is traced, for every command that traces one.
+
+use clap::Args;
+
+use crate::engine::{Cutoff, Format, MAX_DEPTH, Model};
+use crate::picture::raster::{Aspect, Size};
+use crate::picture::screen::TableKind;
+use crate::request::sampling::Samples;
+
+/// How a picture is traced.
+#[derive(Args, Clone, Debug)]
+pub struct TracingArgs {
+    /// Number format of the tracer
+    #[arg(long, value_enum, default_value_t = Format::F32)]
+    pub format: Format,
+    /// Illumination model [default: what the scene was made for: rta, or phong for .nff]
+    #[arg(long, value_enum)]
+    pub model: Option<Model>,
+    /// Reflections and refractions that a ray is followed through; 0 is what the eye sees directly
+    #[arg(long, default_value_t = 5, value_name = "N", value_parser = clap::value_parser!(u32).range(..=i64::from(MAX_DEPTH)))]
+    pub depth: u32,
+    /// A ray that would bring less than this part of its light into the pixel is not traced: 1/64, or 0 for all
+    #[arg(long, value_name = "PART", default_value_t = Cutoff::OFF)]
+    pub cutoff: Cutoff,
+    /// Samples of a pixel, on a square grid: 1, 4, 9, 16 ... 1024
+    #[arg(long, value_name = "N", default_value_t = Samples::ONE)]
+    pub samples: Samples,
+    /// Jitter the samples, each in its own cell of the grid, by this seed
+    #[arg(long, value_name = "SEED")]
+    pub jitter: Option<u32>,
+    /// Colour table of the device
+    #[arg(long, value_enum, default_value_t = TableKind::Tolerant)]
+    pub table: TableKind,
+    /// Pixels of the picture [default: the device's; with --device none those of a .nff, else 320x200]
+    ///
+    /// On a device the picture is a window in its raster, so it may not be larger, and its pixels keep their
+    /// shape. Up to 65535 pixels a side; with --device none only a band of rows is held in memory.
+    #[arg(long, value_name = "WxH")]
+    pub size: Option<Size>,
+    /// Shape of the screen that the picture fills, as 4:3 or 1.333
+    ///
+    /// [default: the device's shape, or the shape that its pixels give a window of --size; with --device none
+    /// square pixels, except that 320x200 is a 4:3 screen]
+    #[arg(long, value_name = "RATIO", verbatim_doc_comment)]
+    pub aspect: Option<Aspect>,
+    /// Scale the scene by a power of two if it does not fit the number format (not one with a floor)
+    #[arg(long)]
+    pub fit: bool,
+    /// Threads that trace [default: one for each core]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    pub threads: Option<u16>,
+}
+
+impl Default for TracingArgs {
+    /// What holds where no option is given.
+    fn default() -> Self {
+        Self {
+            format: Format::F32,
+            model: None,
+            depth: 5,
+            cutoff: Cutoff::OFF,
+            samples: Samples::ONE,
+            jitter: None,
+            table: TableKind::Tolerant,
+            size: None,
+            aspect: None,
+            fit: false,
+            threads: None,
+        }
+    }
+}

@@ -1,0 +1,29 @@
+//! `rta bake`: a scene file into Rust source, for a firmware's flash.
+
+use rta_scenes::bake::{self, BakeError, Recipe};
+
+use crate::args::BakeArgs;
+use crate::error::Error;
+use crate::picture::output;
+use crate::request::fit::Fit;
+use crate::request::scene_file::SceneFile;
+
+/// Writes the source of a scene, or says why the number format does not take it.
+///
+/// # Errors
+/// What keeps the scene from being read or the source from being written, and [`RequestError::Refused`](crate::request::error::RequestError::Refused).
+pub fn run(args: &BakeArgs) -> Result<(), Error> {
+    let scene = SceneFile::open(&args.scene)?;
+    let aspect = args.aspect.ratio();
+    let model = args.model.unwrap_or(scene.description.model.into());
+    let fit = Fit { format: args.format, aspect, model: Some(model), asked: args.fit };
+    let description = fit.scaled(&scene);
+    let recipe = Recipe { format: args.format.into(), aspect, model: model.into() };
+    let source = match bake::module(&description, &scene.title, &recipe) {
+        Ok(source) => source,
+        Err(BakeError::Narrow(error)) => return Err(fit.refused(&scene, error.into()).into()),
+        Err(BakeError::Range(error)) => return Err(fit.refused(&scene, error.into()).into()),
+        Err(error) => return Err(error.into()),
+    };
+    Ok(output::write_text(&args.output, &source)?)
+}

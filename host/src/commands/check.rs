@@ -1,0 +1,79 @@
+//! `rta check`: the proof that a scene fits a number format, or why it does not.
+
+use rta_core::range::{Bound, Magnitude};
+use rta_core::scene::Object;
+
+use crate::args::CheckArgs;
+use crate::engine::Format;
+use crate::engine::admission::{Verdict, verdict};
+use crate::error::Error;
+use crate::picture::output::print;
+use crate::request::fit::Fit;
+use crate::request::scene_file::SceneFile;
+
+/// Prints the proof.
+///
+/// # Errors
+/// What keeps the scene from being read, and [`RequestError::Refused`](crate::request::error::RequestError::Refused) where the format does not admit it.
+pub fn run(args: &CheckArgs) -> Result<(), Error> {
+    let scene = SceneFile::open(&args.scene)?;
+    let aspect = args.aspect.ratio();
+    let fit = Fit { format: args.format, aspect, model: None, asked: args.fit };
+    let description = fit.scaled(&scene);
+    let Verdict { rows, refused } = verdict(&description, args.format, aspect);
+    print(&table(&scene.title, args.format, &rows))?;
+    let Some(reason) = refused else {
+        return Ok(print(&format!("{} is admitted to {}\n", scene.title, args.format))?);
+    };
+    Err(fit.refused(&scene, reason).into())
+}
+
+fn value(size: Magnitude) -> f64 {
+    let (mantissa, exponent) = size.parts();
+    f64::from(mantissa) * 2f64.powi(exponent.max(-1100))
+}
+
+/// A number in at most six digits.
+fn digits(value: f64) -> String {
+    if value == 0.0 || (1e-3..1e7).contains(&value) {
+        let decimals = if value >= 1e4 {
+            0
+        } else if value >= 10.0 {
+            2
+        } else {
+            4
+        };
+        format!("{value:.decimals$}")
+    } else {
+        format!("{value:.3e}")
+    }
+}
+
+fn object(object: Option<Object>) -> String {
+    object.map_or_else(|| "-".into(), |object| object.to_string())
+}
+
+fn table(title: &str, format: Format, rows: &[Bound]) -> String {
+    let mut lines = Vec::with_capacity(rows.len() + 4);
+    if !rows.is_empty() {
+        lines.push(format!("{title} in {format}: every quantity over all rays of the scene\n"));
+        let [name, bound, limit, headroom] = ["quantity", "bound", "limit", "headroom"];
+        lines.push(format!("{name:32} {bound:>12} {limit:>12} {headroom:>11}  set by"));
+    }
+    for row in rows {
+        let (bound, limit) = (value(row.bound), value(row.limit));
+        let headroom = match (limit / bound).log2() {
+            bits if bits.is_finite() => format!("{bits:+.1} bits"),
+            _ => "all".into(),
+        };
+        let mark = if row.holds() { ' ' } else { '!' };
+        let (name, by) = (row.quantity.name(), object(row.object));
+        lines.push(format!(
+            "{name:32} {:>12} {:>12} {headroom:>11}{mark} {by}",
+            digits(bound),
+            digits(limit)
+        ));
+    }
+    lines.push(String::new());
+    lines.join("\n")
+}

@@ -1,0 +1,28 @@
+//! `rta hash`: a number that tells whether a port draws the right bytes.
+
+use std::path::Path;
+
+use crate::args::HashArgs;
+use crate::commands::render::Work;
+use crate::engine::interrupt;
+use crate::error::Error;
+use crate::picture::device::Target;
+use crate::picture::output;
+use crate::request::scene_file::SceneFile;
+
+/// Prints the hash of a scene's picture on a device, and of what picture it is.
+///
+/// # Errors
+/// What keeps the picture from being drawn.
+pub fn run(args: &HashArgs) -> Result<(), Error> {
+    let target = Target::On(args.device);
+    args.tracing.request(target).raster()?;
+    let scene = SceneFile::open(&args.scene)?;
+    let request = args.tracing.request_for(target, &scene)?;
+    let (size, _) = request.raster()?;
+    let hash =
+        Work::new(&request, &scene, args.tracing.threads, interrupt::watch())?.checksum(args.device)?;
+    let caption = request.caption(&scene);
+    let line = format!("{hash:016x}  {}, {size}, {}\n", caption.title, caption.settings);
+    Ok(output::write_text(Path::new("-"), &line)?)
+}

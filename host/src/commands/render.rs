@@ -1,0 +1,191 @@
+//! `rta render`: a scene into a picture file.
+
+use core::sync::atomic::AtomicBool;
+use std::io::{self, Write};
+
+use rayon::ThreadPool;
+use rta_core::color::Rgb;
+use rta_drivers::checksum::{Checksum, Unseen};
+use rta_drivers::painter::Painter;
+
+use crate::args::RenderArgs;
+use crate::engine::Engine;
+use crate::engine::bands::{self, BandsError};
+use crate::engine::interrupt;
+use crate::engine::progress::Progress;
+use crate::error::Error;
+use crate::picture::device::{Device, Target};
+use crate::picture::error::PictureError;
+use crate::picture::file::{
+    Caption, Displayed, FileType, Pixels, bytes, flip, write_light, write_pfm_header, write_png_rows,
+    write_ppm_header,
+};
+use crate::picture::output::{Failure, Output};
+use crate::picture::raster::Size;
+use crate::picture::screen::{Screen, Table};
+use crate::request::Request;
+use crate::request::scene_file::SceneFile;
+
+/// Does what `rta render` is asked to. Whatever can be wrong is found before the first ray, and a file is only replaced
+/// once the picture is complete.
+///
+/// # Errors
+/// All of [`Error`].
+pub fn run(args: &RenderArgs) -> Result<(), Error> {
+    args.tracing.request(args.device).raster()?;
+    let output = Output::open(&args.output, args.file_type)?;
+    let file_type = output.file_type();
+    if let (FileType::Pfm, Target::On(device)) = (file_type, args.device) {
+        return Err(PictureError::LinearFromDevice(device).into());
+    }
+    let scene = SceneFile::open(&args.scene)?;
+    let request = args.tracing.request_for(args.device, &scene)?;
+    let work = Work::new(&request, &scene, args.tracing.threads, interrupt::watch())?;
+    let caption = request.caption(&scene);
+    output.fill(|out| work.write(file_type, &caption, out))
+}
+
+impl<T> From<T> for Failure<Error>
+where
+    Error: From<T>,
+{
+    fn from(error: T) -> Self {
+        Self::Other(error.into())
+    }
+}
+
+/// A picture about to be traced.
+pub struct Work<'a> {
+    engine: Engine,
+    request: &'a Request,
+    size: Size,
+    aspect: f64,
+    pool: ThreadPool,
+    stop: &'a AtomicBool,
+}
+
+impl<'a> Work<'a> {
+    /// Makes everything ready that a picture of `scene` needs.
+    ///
+    /// # Errors
+    /// Those of [`Request::engine`], and [`BandsError::Threads`].
+    pub fn new(
+        request: &'a Request,
+        scene: &SceneFile,
+        threads: Option<u16>,
+        stop: &'a AtomicBool,
+    ) -> Result<Self, Error> {
+        let (size, aspect) = request.raster()?;
+        Ok(Self { engine: request.engine(scene)?, request, size, aspect, pool: bands::pool(threads)?, stop })
+    }
+
+    /// Traces the picture and writes it. Without a device only some bands of rows are held in memory.
+    fn write(
+        &self,
+        file_type: FileType,
+        caption: &Caption,
+        out: &mut dyn Write,
+    ) -> Result<(), Failure<Error>> {
+        match (file_type, self.request.target) {
+            (FileType::Png, Target::On(_)) => Ok(self.displayed()?.write_png(caption, out)?),
+            (FileType::Ppm, Target::On(_)) => Ok(self.displayed()?.write_ppm(out)?),
+            (FileType::Pfm, _) => {
+                write_pfm_header(self.size, out)?;
+                // From the bottom to the top, as the format has it.
+                let trace = |first, light: &mut [_]| {
+                    let rows = u32::try_from(light.len() / self.size.columns()).unwrap_or(u32::MAX);
+                    self.engine.linear_rows(self.size.height() - first - rows, light);
+                    flip(light, self.size.columns());
+                };
+                self.trace(trace, |_, light| Ok(write_light(&light, out)?))
+            }
+            (FileType::Png, Target::None) => write_png_rows(self.size, self.aspect, caption, out, |rows| {
+                self.direct(|pixels| rows.write_all(&bytes(pixels)))
+            }),
+            (FileType::Ppm, Target::None) => {
+                write_ppm_header(self.size, out)?;
+                self.direct(|pixels| out.write_all(&bytes(pixels)))
+            }
+        }
+    }
+
+    /// Traces the picture with 8 bits a gun and hands it over in bands.
+    fn direct(&self, mut deliver: impl FnMut(&[Rgb<u8>]) -> io::Result<()>) -> Result<(), Failure<Error>> {
+        let trace = |first, levels: &mut [_]| self.engine.level_rows(first, u8::MAX, levels);
+        self.trace(trace, |_, levels| Ok(deliver(&levels)?))
+    }
+
+    /// Traces the picture as its display shows it.
+    ///
+    /// # Errors
+    /// [`BandsError::Interrupted`], [`PictureError::Memory`] and [`PictureError::Display`].
+    pub fn displayed(&self) -> Result<Displayed, Error> {
+        match self.request.target {
+            Target::On(device) => {
+                let mut screen = Screen::new(device, self.request.table, self.size, self.aspect)?;
+                let gun_max = device.capabilities().gun_max;
+                let trace = |first, levels: &mut [_]| self.engine.level_rows(first, gun_max, levels);
+                self.trace(trace, |first, levels| Ok::<_, Error>(screen.put_rows(first, &levels)?))?;
+                Ok(screen.picture()?)
+            }
+            Target::None => {
+                let trace = |first, levels: &mut [_]| self.engine.level_rows(first, u8::MAX, levels);
+                let pixels = Pixels::Direct(self.collect(trace)?);
+                Ok(Displayed { size: self.size, aspect: self.aspect, pixels })
+            }
+        }
+    }
+
+    /// Traces the picture onto a device that nobody sees and returns the hash of what the device was sent.
+    ///
+    /// # Errors
+    /// [`BandsError::Interrupted`], [`PictureError::Memory`] and [`PictureError::Display`].
+    pub fn checksum(&self, device: Device) -> Result<u64, Error> {
+        let capabilities = device.capabilities();
+        let table = Table(self.request.table.table(capabilities).map_err(PictureError::display)?);
+        let mut painter =
+            Painter::new(Checksum::new(Unseen(capabilities)), table).map_err(PictureError::display)?;
+        let trace = |first, levels: &mut [_]| self.engine.level_rows(first, capabilities.gun_max, levels);
+        self.trace(trace, |first, levels| {
+            let rows = (first..).zip(levels.chunks(self.size.columns()));
+            rows.into_iter()
+                .try_for_each(|(y, row)| painter.put_row(0, y, row.iter().copied()))
+                .map_err(|error| Error::from(PictureError::display(error)))
+        })?;
+        Ok(painter.display().value())
+    }
+
+    /// Traces the picture as linear light before any display.
+    ///
+    /// # Errors
+    /// [`BandsError::Interrupted`] and [`PictureError::Memory`].
+    pub fn linear(&self) -> Result<Vec<Rgb<f32>>, Error> {
+        self.collect(|first, light: &mut [_]| self.engine.linear_rows(first, light))
+    }
+
+    fn collect<T: Clone + Default + Send>(
+        &self,
+        trace: impl Fn(u32, &mut [T]) + Sync,
+    ) -> Result<Vec<T>, Error> {
+        let mut pixels = Vec::new();
+        pixels.try_reserve_exact(self.size.pixels()).map_err(|_| PictureError::Memory(self.size))?;
+        self.trace(trace, |_, band| {
+            pixels.extend(band);
+            Ok::<_, Error>(())
+        })?;
+        Ok(pixels)
+    }
+
+    fn trace<T: Clone + Default + Send, E: From<BandsError>>(
+        &self,
+        trace: impl Fn(u32, &mut [T]) + Sync,
+        mut deliver: impl FnMut(u32, Vec<T>) -> Result<(), E>,
+    ) -> Result<(), E> {
+        let mut progress = Progress::new(self.size.height());
+        bands::bands(self.size, &self.pool, self.stop, trace, |first, band| {
+            deliver(first, band)?;
+            progress.reached(first);
+            Ok(())
+        })
+    }
+}

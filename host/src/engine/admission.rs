@@ -1,0 +1,101 @@
+//! Whether a number format admits a scene: the range proof in a format that is chosen when the program runs.
+
+use rta_core::range::{Bound, RangeError};
+use rta_scenes::description::Description;
+use rta_scenes::narrow::{Narrow, NarrowError, narrow};
+
+use super::format::{Format, in_format};
+
+/// The formats in the order in which they are suggested: fixed point first, the finest that fits.
+const SUGGESTED: [Format; 4] = [Format::Q20, Format::Q16, Format::F32, Format::F64];
+
+/// What was found of a scene in a number format.
+#[derive(Debug)]
+pub struct Verdict {
+    /// The rows of the proof; none where the scene's numbers cannot even be written in the format.
+    pub rows: Vec<Bound>,
+    /// Why the scene is refused, if it is.
+    pub refused: Option<Refusal>,
+}
+
+/// Why a scene is refused.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum Refusal {
+    /// A number of the scene does not fit the format.
+    #[error(transparent)]
+    Narrow(#[from] NarrowError),
+    /// A row of the proof does not hold.
+    #[error(transparent)]
+    Range(#[from] RangeError),
+}
+
+/// Tries the proof.
+pub fn verdict(scene: &Description, format: Format, aspect: f64) -> Verdict {
+    in_format!(format, S => prove::<S>(scene, aspect))
+}
+
+fn prove<S: Narrow>(scene: &Description, aspect: f64) -> Verdict {
+    match narrow::<S>(scene, aspect) {
+        Err(error) => Verdict { rows: Vec::new(), refused: Some(error.into()) },
+        Ok(narrowed) => Verdict {
+            rows: narrowed.scene().prove(&narrowed.camera).bounds.to_vec(),
+            refused: narrowed.scene().admit(&narrowed.camera).err().map(Refusal::from),
+        },
+    }
+}
+
+/// Whether a format admits a scene.
+pub fn admits(scene: &Description, format: Format, aspect: f64) -> bool {
+    fn admits<S: Narrow>(scene: &Description, aspect: f64) -> bool {
+        narrow::<S>(scene, aspect).is_ok_and(|narrowed| narrowed.scene().admit(&narrowed.camera).is_ok())
+    }
+    in_format!(format, S => admits::<S>(scene, aspect))
+}
+
+/// The formats other than `format` that admit the scene, the finest fixed point first.
+pub fn alternatives(scene: &Description, format: Format, aspect: f64) -> Vec<Format> {
+    let fits = |f: &Format| *f != format && admits(scene, *f, aspect);
+    SUGGESTED.into_iter().filter(fits).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use rta_scenes::{dat, shipped};
+
+    use super::*;
+
+    #[test]
+    fn shipped_scenes_are_admitted_to_every_format() {
+        for (name, text) in shipped::ALL {
+            let scene = dat::read(text.as_bytes(), name).expect("a shipped scene");
+            for format in SUGGESTED {
+                let verdict = verdict(&scene, format, 4.0 / 3.0);
+                assert!(verdict.refused.is_none(), "{name} in {format}: {:?}", verdict.refused);
+                assert_eq!(verdict.rows.len(), 12);
+            }
+        }
+    }
+
+    #[test]
+    fn a_wide_scene_is_refused_by_name_and_another_format_suggested() {
+        let mut scene = dat::read(shipped::GLASS_2.as_bytes(), "glass-2.dat").expect("a shipped scene");
+        scene.lamps.iter_mut().for_each(|lamp| lamp.position = [0.0, 1500.0, 900.0]);
+        let refusal = verdict(&scene, Format::Q20, 1.0).refused.expect("it is too wide").to_string();
+        assert!(
+            refusal.starts_with("lamp 1 is out of the number format's range: distance between two places 17"),
+            "{refusal}"
+        );
+        assert!(refusal.ends_with("beyond the largest 1536"), "{refusal}");
+        assert_eq!(alternatives(&scene, Format::Q20, 1.0), [Format::Q16, Format::F32, Format::F64]);
+    }
+
+    #[test]
+    fn a_mirror_that_makes_light_is_refused() {
+        let mut scene = dat::read(shipped::HALL_22.as_bytes(), "hall-22.dat").expect("a shipped scene");
+        scene.spheres.iter_mut().for_each(|sphere| sphere.color = [1.1, 0.5, 0.5]);
+        let refusal = verdict(&scene, Format::Q16, 1.0).refused.expect("its weights grow").to_string();
+        assert!(refusal.contains("sphere 1") && refusal.contains("weight of a ray"), "{refusal}");
+        assert!(verdict(&scene, Format::F32, 1.0).refused.is_none());
+    }
+}

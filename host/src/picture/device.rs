@@ -1,0 +1,142 @@
+//! The three devices of the thesis, and what each of them can show.
+
+use core::fmt;
+
+use clap::ValueEnum;
+use clap::builder::PossibleValue;
+use rta_drivers::display::Capabilities;
+
+use super::raster::Size;
+
+/// A display of 1990.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Device {
+    /// IBM PS/2, mode 13h: 320x200, 256 colours of 262144, screen 4:3.
+    Vga,
+    /// IBM RT PC with graPHIGS: 1024x1024, 128 colours of 4096.
+    Graphigs,
+    /// SUN SPARCstation with PIXRECT: 1152x900, 256 colours of 16777216.
+    Pixrect,
+}
+
+impl Device {
+    /// What the device can show, as its driver has it.
+    #[must_use]
+    pub const fn capabilities(self) -> Capabilities {
+        match self {
+            Self::Vga => rta_drivers::vga13h::CAPABILITIES,
+            Self::Graphigs => rta_drivers::graphigs::CAPABILITIES,
+            Self::Pixrect => rta_drivers::pixrect::CAPABILITIES,
+        }
+    }
+
+    /// The raster of the whole screen.
+    #[must_use]
+    pub fn size(self) -> Size {
+        let Capabilities { width, height, .. } = self.capabilities();
+        Size::clamped(width, height)
+    }
+
+    /// Width over height of the whole screen.
+    #[must_use]
+    pub fn aspect(self) -> f64 {
+        let (width, height) = self.capabilities().aspect;
+        f64::from(width) / f64::from(height)
+    }
+
+    /// The device after this one, in a circle.
+    #[must_use]
+    pub const fn next(self) -> Self {
+        match self {
+            Self::Vga => Self::Graphigs,
+            Self::Graphigs => Self::Pixrect,
+            Self::Pixrect => Self::Vga,
+        }
+    }
+}
+
+impl fmt::Display for Device {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Vga => "vga",
+            Self::Graphigs => "graphigs",
+            Self::Pixrect => "pixrect",
+        })
+    }
+}
+
+/// Where a picture is meant to be seen: on a device, or on none.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Target {
+    /// On a device, through its colour table.
+    On(Device),
+    /// Nowhere: every pixel keeps its own colour.
+    None,
+}
+
+impl Target {
+    /// Raster of a picture without a device, unless another is asked for: that of mode 13h.
+    const NO_DEVICE: Device = Device::Vga;
+
+    /// The raster of a whole picture.
+    #[must_use]
+    pub fn size(self) -> Size {
+        self.device().unwrap_or(Self::NO_DEVICE).size()
+    }
+
+    /// Width over height of the screen that a whole picture fills.
+    #[must_use]
+    pub fn aspect(self) -> f64 {
+        self.device().unwrap_or(Self::NO_DEVICE).aspect()
+    }
+
+    /// The device, if there is one.
+    #[must_use]
+    pub const fn device(self) -> Option<Device> {
+        match self {
+            Self::On(device) => Some(device),
+            Self::None => None,
+        }
+    }
+}
+
+impl fmt::Display for Target {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::On(device) => device.fmt(f),
+            Self::None => f.write_str("none"),
+        }
+    }
+}
+
+impl ValueEnum for Target {
+    fn value_variants<'a>() -> &'a [Self] {
+        &[Self::On(Device::Vga), Self::On(Device::Graphigs), Self::On(Device::Pixrect), Self::None]
+    }
+
+    fn to_possible_value(&self) -> Option<PossibleValue> {
+        match self {
+            Self::On(device) => device.to_possible_value(),
+            Self::None => Some(
+                PossibleValue::new("none")
+                    .help("No display: 8 bits a gun without a colour table, or linear light"),
+            ),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Device;
+
+    #[test]
+    fn every_device_has_its_raster_and_shape() {
+        let mut device = Device::Vga;
+        for (size, aspect) in [("320x200", 4.0 / 3.0), ("1024x1024", 1.0), ("1152x900", 1.28)] {
+            assert_eq!(device.size().to_string(), size);
+            assert!((device.aspect() - aspect).abs() < 1e-12);
+            device = device.next();
+        }
+        assert_eq!(device, Device::Vga);
+    }
+}

@@ -1,0 +1,73 @@
+//! What can go wrong with a picture between the tracer and its file or its emulated device.
+
+use std::io;
+use std::path::{Path, PathBuf};
+
+use super::device::Device;
+use super::file::FileType;
+use super::raster::Size;
+
+/// Why a picture cannot be shown or written. It prints as one line that names the file or the device it is about.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum PictureError {
+    /// The picture has more pixels than the device.
+    #[error("{size} does not fit {device}, which has {}", device.size())]
+    LargerThanDevice {
+        /// The picture.
+        size: Size,
+        /// The device.
+        device: Device,
+    },
+    /// The name of the output does not tell what kind of file to write.
+    #[error("{}: no known picture format; use a name in .png, .ppm or .pfm, or --as", .0.display())]
+    UnknownExtension(PathBuf),
+    /// Linear light was asked of a display.
+    #[error("a PFM holds linear light before any display: it needs --device none, not {0}")]
+    LinearFromDevice(Device),
+    /// The output cannot be written.
+    #[error("cannot write {}: {}", path.display(), reason(source))]
+    Write {
+        /// The output.
+        path: PathBuf,
+        /// What the system says.
+        source: io::Error,
+    },
+    /// A picture was to be written to a terminal.
+    #[error("standard output is a terminal: send the {0} to a file or a pipe")]
+    Terminal(FileType),
+    /// The driver or the emulated device refuses what the program does with it.
+    #[error("the display: {0}")]
+    Display(Box<dyn core::error::Error + Send + Sync>),
+    /// Not enough memory for the picture.
+    #[error("not enough memory for a picture of {0}")]
+    Memory(Size),
+    /// The reader of a pipe has closed it. The program ends without a word and without an error status.
+    #[error("standard output is closed")]
+    BrokenPipe,
+}
+
+impl PictureError {
+    /// An error of a driver.
+    pub(crate) fn display(source: impl core::error::Error + Send + Sync + 'static) -> Self {
+        Self::Display(Box::new(source))
+    }
+
+    /// An error about writing `path`; it is [`PictureError::BrokenPipe`] where the reader of a pipe has closed it.
+    #[must_use]
+    pub fn write(path: &Path, source: io::Error) -> Self {
+        match source.kind() {
+            io::ErrorKind::BrokenPipe => Self::BrokenPipe,
+            _ => Self::Write { path: path.to_owned(), source },
+        }
+    }
+}
+
+/// The system's description of an error, without its number.
+pub(crate) fn reason(error: &io::Error) -> String {
+    let text = error.to_string();
+    match text.find(" (os error") {
+        Some(end) => text.chars().take(end).collect(),
+        None => text,
+    }
+}

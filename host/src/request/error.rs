@@ -1,0 +1,110 @@
+//! What can go wrong between the command line and a scene that is ready to be traced.
+
+use core::fmt;
+use std::io;
+
+use rta_scenes::error::SceneError;
+use rta_scenes::fit::FloorError;
+
+use crate::engine::admission::Refusal;
+use crate::engine::{EngineError, Format};
+use crate::picture::error::{PictureError, reason};
+use crate::picture::raster::{RasterError, Size};
+
+/// Why a request cannot be met. It prints as one line that names the scene file or the option it is about.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum RequestError {
+    /// The scene file cannot be opened or read.
+    #[error("cannot read the scene {name}: {}", reason(source))]
+    Read {
+        /// The file, or `standard input`.
+        name: String,
+        /// What the system says.
+        source: io::Error,
+    },
+    /// The scene file is not a scene.
+    #[error(transparent)]
+    Scene(#[from] SceneError),
+    /// The scene cannot be traced as asked.
+    #[error("{name}: {source}{fit}")]
+    Engine {
+        /// Name of the scene.
+        name: String,
+        /// Why not.
+        source: EngineError,
+        /// What scaling it could do.
+        fit: Hint,
+    },
+    /// The number format does not admit the scene.
+    #[error("{name} does not fit {format}: {reason}{}{fit}", fitting(others))]
+    Refused {
+        /// Name of the scene.
+        name: String,
+        /// The format.
+        format: Format,
+        /// Why not.
+        reason: Box<Refusal>,
+        /// The formats that do admit it.
+        others: Vec<Format>,
+        /// What scaling it could do.
+        fit: Hint,
+    },
+    /// The scene file states a raster that no picture can have.
+    #[error("{name} is made for {width}x{height} pixels: {reason}; --size sets others")]
+    SceneSize {
+        /// Name of the scene.
+        name: String,
+        /// Pixels in a row.
+        width: u32,
+        /// Rows.
+        height: u32,
+        /// The limit that they exceed.
+        reason: RasterError,
+    },
+    /// The pixels of the device and the size of the picture make a screen too narrow or too wide.
+    #[error("a picture of {size} is too narrow or too wide: {reason}")]
+    Shape {
+        /// The picture.
+        size: Size,
+        /// The limit that it exceeds.
+        reason: RasterError,
+    },
+    /// The picture does not fit its device.
+    #[error(transparent)]
+    Picture(#[from] PictureError),
+}
+
+/// What scaling could do for a scene that was refused. It prints as the end of an error message.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Hint {
+    /// Scaling does not help, and `--fit` was not given.
+    None,
+    /// `--fit` would scale the scene by this factor.
+    Factor(f64),
+    /// `--fit` was given, but a scene with a floor cannot be scaled.
+    Floor,
+    /// `--fit` was given, but no scale helps.
+    NoScale,
+}
+
+impl fmt::Display for Hint {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::None => Ok(()),
+            Self::Factor(factor) => write!(f, "; --fit would scale it by {factor}"),
+            Self::Floor => write!(f, "; --fit: {FloorError}"),
+            Self::NoScale => f.write_str("; --fit finds no scale at which it fits"),
+        }
+    }
+}
+
+/// Names the formats that admit a scene, as part of an error message; empty if there are none.
+fn fitting(formats: &[Format]) -> String {
+    if formats.is_empty() {
+        return String::new();
+    }
+    let names: Vec<_> = formats.iter().map(Format::to_string).collect();
+    format!("; it fits {}", names.join(", "))
+}

@@ -1,0 +1,123 @@
+//! Where a scene comes from: a file, standard input, or the program itself.
+
+use std::fs::File;
+use std::io::{self, Read};
+use std::path::Path;
+
+use rta_scenes::description::Description;
+use rta_scenes::shipped;
+
+use super::error::RequestError;
+
+/// Largest scene file that is read, in bytes: some hundred thousand objects. It stands against reading a device
+/// file or a film to the end.
+pub const MAX_FILE: u64 = 64 << 20;
+
+/// A scene and what it is called.
+#[derive(Clone, Debug)]
+pub struct SceneFile {
+    /// The file's name for errors, as it was given.
+    pub source: String,
+    /// The file's name without folders and extension, for titles.
+    pub title: String,
+    /// What it says.
+    pub description: Description,
+}
+
+impl SceneFile {
+    /// The Juggler that the program carries in itself.
+    ///
+    /// # Errors
+    /// [`RequestError::Scene`] if it is not as the format has it.
+    pub fn juggler() -> Result<Self, RequestError> {
+        Self::parse("juggler.dat", "juggler", shipped::JUGGLER.as_bytes())
+    }
+
+    /// Reads the scene file `path`, or standard input if it is `-`.
+    ///
+    /// # Errors
+    /// [`RequestError::Read`] and [`RequestError::Scene`].
+    pub fn open(path: &Path) -> Result<Self, RequestError> {
+        Self::open_with_text(path).map(|(scene, _)| scene)
+    }
+
+    /// The same, with the text that was read.
+    ///
+    /// # Errors
+    /// [`RequestError::Read`] and [`RequestError::Scene`].
+    pub fn open_with_text(path: &Path) -> Result<(Self, Vec<u8>), RequestError> {
+        let (name, title, text) = if path == Path::new("-") {
+            let name = "standard input".to_owned();
+            let text = read(io::stdin().lock(), &name)?;
+            (name, "stdin".to_owned(), text)
+        } else {
+            let name = path.display().to_string();
+            let file =
+                File::open(path).map_err(|source| RequestError::Read { name: name.clone(), source })?;
+            let stem = path.file_stem().map(|stem| stem.to_string_lossy().into_owned());
+            let text = read(file, &name)?;
+            (name.clone(), stem.unwrap_or(name), text)
+        };
+        Ok((Self::parse(&name, &title, &text)?, text))
+    }
+
+    /// All scenes that the program carries in itself, with their texts.
+    ///
+    /// # Errors
+    /// [`RequestError::Scene`] if one is not as the format has it.
+    pub fn shipped() -> Result<Vec<(Self, Vec<u8>)>, RequestError> {
+        let scene = |(name, text): (&str, &str)| {
+            let title = name.trim_end_matches(".dat");
+            Ok((Self::parse(name, title, text.as_bytes())?, text.as_bytes().to_vec()))
+        };
+        shipped::ALL.into_iter().map(scene).collect()
+    }
+
+    /// The scene that the program carries in itself by this name, the thesis's or another.
+    ///
+    /// # Errors
+    /// [`RequestError::Scene`] if it is not as the format has it.
+    pub fn named(title: &str) -> Option<Result<Self, RequestError>> {
+        let all = shipped::ALL.into_iter().chain([("balls2.nff", shipped::BALLS_2)]);
+        let stem = |name: &str| name.split('.').next() == Some(title);
+        let (name, text) = all.into_iter().find(|(name, _)| stem(name))?;
+        Some(Self::parse(name, title, text.as_bytes()))
+    }
+
+    fn parse(source: &str, title: &str, text: &[u8]) -> Result<Self, RequestError> {
+        let description = rta_scenes::read(text, source)?;
+        // A title goes into window titles and file names: what is not plain there is left out.
+        let title =
+            title.chars().map(|c| if c.is_control() || "/\\:".contains(c) { '_' } else { c }).collect();
+        Ok(Self { source: source.to_owned(), title, description })
+    }
+}
+
+fn read(file: impl Read, name: &str) -> Result<Vec<u8>, RequestError> {
+    let failed = |source| RequestError::Read { name: name.to_owned(), source };
+    let mut text = Vec::new();
+    file.take(MAX_FILE + 1).read_to_end(&mut text).map_err(failed)?;
+    if text.len() as u64 > MAX_FILE {
+        return Err(failed(io::Error::other("larger than 64 MiB")));
+    }
+    Ok(text)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{MAX_FILE, SceneFile, read};
+    use crate::request::error::RequestError;
+
+    #[test]
+    fn the_juggler_is_in_the_program() {
+        assert_eq!(SceneFile::juggler().expect("it is well formed").description.spheres.len(), 70);
+    }
+
+    #[test]
+    fn endless_input_is_refused() {
+        let read = read(std::io::repeat(b'1'), "endless");
+        assert!(matches!(&read, Err(RequestError::Read { name, .. }) if name == "endless"));
+        assert!(read.expect_err("too long").to_string().contains("64 MiB"));
+        const { assert!(MAX_FILE == 64 * 1024 * 1024) };
+    }
+}

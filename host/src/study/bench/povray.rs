@@ -1,0 +1,284 @@
+//! Scenes for POV-Ray 3.7: the same things before the same eye, which take it the same rays. Shading is as near as its
+//! own models come.
+//!
+//! Coordinates need no change: POV-Ray's left hand shows in its usual camera alone, and this one is given by its vectors.
+
+use core::fmt::Write;
+use std::collections::HashMap;
+
+use rta_core::vector::Vector;
+use rta_scenes::description::{Cone, Description, Lamp, Surface, Triangle};
+use rta_scenes::narrow::narrow;
+
+use crate::engine::{EngineError, Model};
+
+/// Half of a vertical cylinder, which has no end in rta.
+const REACH: f64 = 1000.0;
+
+/// The scene, for a screen of the shape `aspect : 1`.
+///
+/// # Errors
+/// None that a scene which can be traced has.
+pub fn scene(scene: &Description, model: Model, depth: u32, aspect: f64) -> Result<String, EngineError> {
+    let mut file = File { text: String::new(), materials: HashMap::new(), model, ambient: scene.ambient };
+    // Depth 0 is the eye's own ray. Nothing is left out for bringing little light.
+    let level = depth + 1;
+    file.line(format_args!(
+        "#version 3.7;\nglobal_settings {{ assumed_gamma 1 max_trace_level {level} adc_bailout 0 ambient_light rgb 1 }}"
+    ));
+    file.camera(scene, aspect)?;
+    file.sky(scene);
+    for lamp in &scene.lamps {
+        file.lamp(lamp);
+    }
+    if let Some(floor) = &scene.floor {
+        let [even, odd] = floor.colors.map(vector);
+        let ambient = vector(file.ambient);
+        // The pattern is of cubes: the plane cuts through their middles.
+        file.line(format_args!(
+            "plane {{ z, 0 pigment {{ checker rgb {even} rgb {odd} scale 3 translate <0, 0, -1.5> }} \
+             finish {{ ambient rgb {ambient} diffuse 1 }} }}"
+        ));
+    }
+    file.objects(scene);
+    Ok(file.text)
+}
+
+/// A scene file that grows.
+struct File {
+    text: String,
+    /// The numbers of those that are declared.
+    materials: HashMap<String, usize>,
+    model: Model,
+    ambient: [f64; 3],
+}
+
+impl File {
+    fn line(&mut self, line: core::fmt::Arguments) {
+        // A String takes all that is written to it.
+        let _ = writeln!(self.text, "{line}");
+    }
+
+    fn camera(&mut self, scene: &Description, aspect: f64) -> Result<(), EngineError> {
+        let camera = narrow::<f64>(&Description::empty(scene.camera.clone()), aspect)?.camera;
+        let eye = vector([camera.eye.x(), camera.eye.y(), camera.eye.z()]);
+        let [forward, right, up] =
+            [camera.forward, camera.right, camera.up].map(|v| vector([v.x(), v.y(), v.z()]));
+        self.line(format_args!(
+            "camera {{ perspective location {eye} direction {forward} right {right} up {up} }}"
+        ));
+        Ok(())
+    }
+
+    fn sky(&mut self, scene: &Description) {
+        let [horizon, zenith] = [scene.sky.horizon, scene.sky.zenith].map(vector);
+        if horizon == zenith {
+            self.line(format_args!("background {{ rgb {horizon} }}"));
+        } else {
+            self.line(format_args!(
+                "sky_sphere {{ pigment {{ gradient z poly_wave 2 color_map {{ [0 rgb {horizon}] [1 rgb {zenith}] }} }} }}"
+            ));
+        }
+    }
+
+    fn lamp(&mut self, lamp: &Lamp) {
+        let place = vector(lamp.position);
+        if self.model == Model::Rta {
+            // Its law is 2 / (1 + d^2).
+            let half = vector(lamp.color.map(|register| register / 2.0));
+            self.line(format_args!("light_source {{ {place} rgb {half} fade_distance 1 fade_power 2 }}"));
+        } else {
+            let color = vector(lamp.color.map(|register| register.min(1.0)));
+            self.line(format_args!("light_source {{ {place} rgb {color} }}"));
+        }
+        if lamp.radius > 0.0 {
+            let seen = vector(lamp.color.map(|register| register / (lamp.radius * lamp.radius)));
+            let radius = lamp.radius;
+            self.line(format_args!(
+                "sphere {{ {place}, {radius} no_shadow pigment {{ rgb {seen} }} \
+                 finish {{ ambient 0 diffuse 0 emission 1 }} }}"
+            ));
+        }
+    }
+
+    fn objects(&mut self, scene: &Description) {
+        for c in &scene.cylinders {
+            let ([x, y, _], radius) = (c.position, c.radius);
+            let material = self.material(c.color, &c.surface);
+            self.line(format_args!(
+                "cylinder {{ <{x:?}, {y:?}, {:?}>, <{x:?}, {y:?}, {REACH:?}>, {radius:?} open {material} }}",
+                -REACH
+            ));
+        }
+        for e in &scene.ellipsoids {
+            let (place, radii) = (vector(e.position), vector(e.radii));
+            let material = self.material(e.color, &e.surface);
+            self.line(format_args!("sphere {{ 0, 1 scale {radii} translate {place} {material} }}"));
+        }
+        for s in &scene.spheres {
+            let (place, radius) = (vector(s.position), s.radius);
+            let material = self.material(s.color, &s.surface);
+            self.line(format_args!("sphere {{ {place}, {radius:?} {material} }}"));
+        }
+        for cone in &scene.cones {
+            self.cone(cone);
+        }
+        // What looks alike is one mesh, which POV-Ray walks soonest.
+        for alike in scene.triangles.chunk_by(|a, b| (a.color, a.surface) == (b.color, b.surface)) {
+            self.mesh(alike);
+        }
+    }
+
+    fn cone(&mut self, cone: &Cone) {
+        let Cone { base_radius, apex_radius, capped, .. } = *cone;
+        let (base, apex, open) = (vector(cone.base), vector(cone.apex), if capped { "" } else { "open " });
+        let material = self.material(cone.color, &cone.surface);
+        #[expect(clippy::float_cmp, reason = "a cylinder is a cone whose radii are equal")]
+        if base_radius == apex_radius {
+            self.line(format_args!("cylinder {{ {base}, {apex}, {base_radius:?} {open}{material} }}"));
+        } else {
+            self.line(format_args!(
+                "cone {{ {base}, {base_radius:?}, {apex}, {apex_radius:?} {open}{material} }}"
+            ));
+        }
+    }
+
+    fn mesh(&mut self, alike: &[Triangle]) {
+        let Some(first) = alike.first() else { return };
+        let material = self.material(first.color, &first.surface);
+        self.line(format_args!("mesh {{"));
+        for triangle in alike {
+            let [a, b, c] = triangle.vertices.map(vector);
+            match triangle.normals.map(|normals| normals.map(vector)) {
+                None => self.line(format_args!("triangle {{ {a}, {b}, {c} }}")),
+                Some([u, v, w]) => {
+                    self.line(format_args!("smooth_triangle {{ {a}, {u}, {b}, {v}, {c}, {w} }}"));
+                }
+            }
+        }
+        self.line(format_args!("{material} }}"));
+    }
+
+    /// The name of a material, which is declared when it is first used.
+    fn material(&mut self, color: [f64; 3], surface: &Surface) -> String {
+        let words = self.words(color, surface);
+        let next = self.materials.len();
+        let number = *self.materials.entry(words.clone()).or_insert(next);
+        if number == next {
+            self.line(format_args!("#declare M{number} = material {{ {words} }}"));
+        }
+        format!("material {{ M{number} }}")
+    }
+
+    fn words(&self, color: [f64; 3], surface: &Surface) -> String {
+        let Coefficients { diffuse, highlight, exponent, reflection, kt, ior } =
+            Coefficients::of(color, surface, self.model);
+        // The thesis's ambient term on a surface that stands upright.
+        let part = if self.model == Model::Rta { 0.6 } else { 1.0 };
+        let ambient = vector(self.ambient.map(|register| part * diffuse * register));
+        let (color, reflection) = (vector(color), vector(reflection));
+        // An exponent of NFF may be beyond what a highlight can be seen with.
+        let exponent = exponent.clamp(1.0, 1e5);
+        let interior = if kt > 0.0 { format!(" interior {{ ior {ior:?} }}") } else { String::new() };
+        format!(
+            "texture {{ pigment {{ rgb {color} transmit {kt:?} }} finish {{ ambient rgb {ambient} diffuse {diffuse:?} \
+             phong {highlight:?} phong_size {exponent:?} reflection {{ rgb {reflection} }} }} }}{interior}"
+        )
+    }
+}
+
+/// What a surface does with light, in POV-Ray's terms.
+struct Coefficients {
+    diffuse: f64,
+    highlight: f64,
+    exponent: f64,
+    reflection: [f64; 3],
+    kt: f64,
+    ior: f64,
+}
+
+impl Coefficients {
+    fn of(color: [f64; 3], surface: &Surface, model: Model) -> Self {
+        let dark =
+            Self { diffuse: 0.0, highlight: 0.0, exponent: 50.0, reflection: [0.0; 3], kt: 0.0, ior: 1.0 };
+        // Only the thesis's mirrors have a colour.
+        let mirror =
+            |ks: f64| if model == Model::Rta { color.map(|register| ks * register) } else { [ks; 3] };
+        match *surface {
+            Surface::Opaque => Self { diffuse: 1.0, ..dark },
+            Surface::Shiny => Self { diffuse: 1.0, highlight: 1.0, ..dark },
+            Surface::Mirror => Self { reflection: mirror(1.0), ..dark },
+            Surface::Transparent { ks, kt, ior } => Self { reflection: mirror(ks), kt, ior, ..dark },
+            Surface::Finish { kd, ks, exponent, kt, ior } => {
+                // What lets light through shades that much less in POV-Ray.
+                let diffuse = if kt < 1.0 { kd / (1.0 - kt) } else { 0.0 };
+                Self { diffuse, highlight: ks, exponent, reflection: mirror(ks), kt, ior }
+            }
+        }
+    }
+}
+
+fn vector(v: [f64; 3]) -> String {
+    let [x, y, z] = v;
+    format!("<{x:?}, {y:?}, {z:?}>")
+}
+
+#[cfg(test)]
+mod tests {
+    use rta_scenes::{nff, shipped};
+
+    use super::scene;
+    use crate::engine::Model;
+    use crate::request::scene_file::SceneFile;
+
+    #[test]
+    fn everything_is_in_the_file_once() {
+        let all =
+            SceneFile::named("hall-22").expect("a shipped scene").expect("it is well formed").description;
+        let text = scene(&all, Model::Rta, 5, 4.0 / 3.0).expect("it can be traced");
+        let count = |words: &str| text.matches(words).count();
+        assert_eq!(count("\ncylinder {"), 6);
+        assert_eq!(count("\nsphere { 0, 1 scale"), 6);
+        assert_eq!(count("\nsphere { <"), 10 + all.lamps.iter().filter(|lamp| lamp.radius > 0.0).count());
+        assert_eq!(count("\nlight_source {"), all.lamps.len());
+        assert_eq!(count("\nplane {"), 1);
+        assert!(text.contains("max_trace_level 6"));
+        // What is used is declared.
+        for line in text.lines().filter(|line| !line.starts_with("#declare")) {
+            if let Some((_, name)) = line.split_once("material { ") {
+                let name = name.split(' ').next().unwrap_or_default();
+                assert_eq!(count(&format!("#declare {name} = ")), 1, "{line}");
+            }
+        }
+    }
+
+    #[test]
+    fn the_eye_is_where_the_scene_has_it() {
+        let balls = nff::read(shipped::BALLS_2.as_bytes(), "balls2.nff").expect("a scene");
+        let text = scene(&balls, Model::Phong, 0, 1.0).expect("it can be traced");
+        assert!(text.contains("camera { perspective location <2.1, 1.3, 1.7> direction <-0."), "{text}");
+        assert!(
+            text.contains("max_trace_level 1 ") && text.contains("background { rgb <0.078, 0.361, 0.753> }")
+        );
+        assert!(!text.contains("fade_power"));
+    }
+
+    #[test]
+    fn cones_and_triangles_keep_their_kind() {
+        let text = "v from 0 -4 1 at 0 0 0 up 0 0 1 angle 40 hither 1 resolution 8 8\nl 5 -5 5\n\
+            f 1 .5 .25 .5 .5 20 0.25 1.5\nc 0 0 0 1 0 0 1 1\nc 0 0 0 1 0 0 1 0.5\np 3 0 0 0 1 0 0 0 1 0\n\
+            pp 3 0 0 0 0 0 1 1 0 0 0 0 1 0 1 0 0 .1 1\n";
+        let description = nff::read(text.as_bytes(), "a.nff").expect("a scene");
+        let text = scene(&description, Model::Phong, 5, 1.0).expect("it can be traced");
+        for words in
+            ["\ncylinder { <0.0, 0.0, 0.0>, <0.0, 0.0, 1.0>, 1.0 open", "1.0, <0.0, 0.0, 1.0>, 0.5 open"]
+        {
+            assert!(text.contains(words), "{words} in {text}");
+        }
+        assert_eq!(
+            ["\nmesh {", "\ntriangle {", "\nsmooth_triangle {"].map(|w| text.matches(w).count()),
+            [1; 3]
+        );
+        assert!(text.contains("transmit 0.25") && text.contains("interior { ior 1.5 }"), "{text}");
+    }
+}

@@ -1,0 +1,124 @@
+//! `rta report`: error against run time, as work-precision diagrams, tables and a page.
+//!
+//! | step | where |
+//! | --- | --- |
+//! | what is varied | [`setting`] |
+//! | all depths and cut-offs from one walk of the ray tree | [`tap`] |
+//! | a scene in one format, traced on a part of its pixels | [`mod@bench`] |
+//! | how far two pictures are apart, and the Pareto front | [`measure`] |
+//! | instructions under valgrind | [`instructions`] |
+//! | errors and costs of every setting of a scene | [`mod@study`] |
+//! | the files | [`table`], [`diagram`], [`page`] |
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use crate::args::ReportArgs;
+use crate::engine::interrupt;
+use crate::engine::progress::Progress;
+use crate::picture::device::Device;
+use crate::picture::error::PictureError;
+use crate::picture::file::{Caption, Displayed, Pixels};
+use crate::picture::raster::Size;
+use crate::request::scene_file::SceneFile;
+use crate::study::error::StudyError;
+
+pub mod bench;
+pub mod diagram;
+pub mod instructions;
+pub mod measure;
+pub mod page;
+pub mod setting;
+pub mod study;
+pub mod table;
+pub mod tap;
+
+use study::{STEPS, Setup, Study, study};
+
+/// A scene with the text that it was read from, and a name that no other scene of the report has.
+#[derive(Clone, Debug)]
+pub struct Source {
+    /// The scene.
+    pub scene: SceneFile,
+    /// The scene file.
+    pub text: Vec<u8>,
+    /// Stem of its diagrams' names.
+    pub title: String,
+}
+
+/// Does what `rta report` is asked to. The files are written once all is measured.
+///
+/// # Errors
+/// All of [`StudyError`].
+pub fn run(args: &ReportArgs) -> Result<(), StudyError> {
+    let (size, device) = (args.size, Device::Vga);
+    if size.width() > device.size().width() || size.height() > device.size().height() {
+        return Err(PictureError::LargerThanDevice { size, device }.into());
+    }
+    let program = std::env::current_exe().ok();
+    let sources = sources(&args.scenes)?;
+    let failed = |source| PictureError::write(&args.output, source);
+    fs::create_dir_all(&args.output).map_err(failed)?;
+    let setup = Setup {
+        size,
+        aspect: args.aspect.ratio(),
+        program: if args.no_instructions { None } else { program.as_deref() },
+        stop: interrupt::watch(),
+    };
+    write(&args.output, &studies(&sources, setup)?, setup)
+}
+
+/// The scenes, or the shipped ones if there are none.
+fn sources(paths: &[PathBuf]) -> Result<Vec<Source>, StudyError> {
+    let mut sources: Vec<Source> = Vec::new();
+    let scenes: Vec<_> = if paths.is_empty() {
+        SceneFile::shipped()?
+    } else {
+        paths.iter().map(|path| SceneFile::open_with_text(path)).collect::<Result<_, _>>()?
+    };
+    for (scene, text) in scenes {
+        let same = sources.iter().filter(|other| other.scene.title == scene.title).count();
+        let title = if same == 0 { scene.title.clone() } else { format!("{}-{}", scene.title, same + 1) };
+        sources.push(Source { scene, text, title });
+    }
+    Ok(sources)
+}
+
+/// The studies of all scenes.
+///
+/// # Errors
+/// Those of [`study::study`].
+pub fn studies(sources: &[Source], setup: Setup) -> Result<Vec<Study>, StudyError> {
+    let scenes = u32::try_from(sources.len()).unwrap_or(u32::MAX);
+    let mut progress = Progress::new(scenes.saturating_mul(STEPS));
+    let begins = (0..).step_by(STEPS as usize);
+    sources.iter().zip(begins).map(|(source, done)| study(source, setup, &mut progress, done)).collect()
+}
+
+/// Writes `report.csv`, `report.md`, and an SVG and a PNG for each scene.
+fn write(folder: &Path, studies: &[Study], setup: Setup) -> Result<(), StudyError> {
+    let file = |name: &str, content: &[u8]| {
+        let path = folder.join(name);
+        fs::write(&path, content).map_err(|source| PictureError::write(&path, source))
+    };
+    file("report.csv", &table::csv(studies).map_err(StudyError::report)?)?;
+    for study in studies {
+        let title = &study.title;
+        file(&format!("{title}.svg"), diagram::svg(study).map_err(StudyError::report)?.as_bytes())?;
+        let (mut png, name) = (Vec::new(), format!("{title}.png"));
+        let caption = Caption { title: title.clone(), settings: "error against run time".to_owned() };
+        png_of(study)?
+            .write_png(&caption, &mut png)
+            .map_err(|source| PictureError::write(&folder.join(&name), source))?;
+        file(&name, &png)?;
+    }
+    Ok(file("report.md", page::markdown(studies, setup.size, setup.aspect).as_bytes())?)
+}
+
+/// A diagram as a picture with square pixels.
+fn png_of(study: &Study) -> Result<Displayed, StudyError> {
+    let (width, height) = diagram::SIZE;
+    let pixels = diagram::pixels(study).map_err(StudyError::report)?;
+    let size = Size::new(width, height).map_err(StudyError::report)?;
+    Ok(Displayed { size, aspect: size.ratio(), pixels: Pixels::Direct(pixels) })
+}

@@ -1,0 +1,155 @@
+//! Acne: points of a lit convex object on its own that lie in a shadow although they face the lamp. There is nothing to
+//! throw one but the object itself, by rounding.
+
+use fastrand::Rng;
+use rta_core::light::Incident;
+use rta_core::needs::Everything;
+use rta_core::range::Admitted;
+use rta_core::ray::Ray;
+use rta_core::scalar::Unit;
+use rta_core::scene::Object;
+use rta_core::shape::Spot;
+use rta_core::vector::{LengthVector, UnitVec3, UnitVector, Vector};
+use rta_scenes::description::{Description, Lamp, Surface};
+use rta_scenes::narrow::{Narrowed, narrow};
+
+use super::aim::{Round, Triple, across, add, length, magnitude, sphere, unit};
+use super::cases::Case;
+use super::exact::{Exact, rounded};
+use super::guard::guarded;
+use super::outcome::Measured;
+
+/// Points that share an eye and a lamp.
+const BLOCK: usize = 64;
+/// Objects of a scene that are looked at, the first ones.
+const OBJECTS: usize = 8;
+
+/// Looks at about `points` points of the convex objects of a case, each object on its own.
+///
+/// Half the time eye and lamp are the case's own, so that a lamp inside an object lights it from inside; else they are
+/// anywhere around it, from touching to 100 times its size away. Most points are near the border between light and
+/// dark, where the way to the lamp is flattest. Reflected rays have to leave the object as well.
+pub(super) fn search<S: Exact>(case: &Case, points: usize, rng: &mut Rng, measured: &mut Measured) {
+    let lone: Vec<Description> = alone(&case.scene).take(OBJECTS).collect();
+    if lone.is_empty() {
+        return;
+    }
+    for (block, scene) in (0..points.div_ceil(BLOCK)).zip(lone.iter().cycle()) {
+        let mut scene = case.stand.place(scene, rng);
+        let Some(round) = Round::all(&scene).next() else { continue };
+        if block / lone.len() % 2 == 1 || scene.lamps.is_empty() {
+            let mut around = || {
+                let far = round.extent() * (1.0 + magnitude(rng, -3.0, 2.0));
+                add(round.surface(sphere(rng)), sphere(rng), far)
+            };
+            scene.camera.eye = around();
+            scene.lamps = vec![Lamp { position: around(), color: [1.0; 3], radius: 0.0, line: 0 }];
+        }
+        scene.lamps.truncate(1);
+        let given = rounded::<S>(&scene);
+        let Ok(narrowed) = narrow::<S>(&given, 1.0) else { continue };
+        let Ok(admitted) = narrowed.scene().admit(&narrowed.camera) else { continue };
+        let Some(lamp) = given.lamps.first() else { continue };
+        let inside = length(round.seen(lamp.position)) < 1.0;
+        for _ in 0..BLOCK {
+            let direction = toward(&round, given.camera.eye, lamp.position, rng);
+            match guarded(|| look(&narrowed, &admitted, direction, inside)) {
+                Ok(Some(true)) => measured.acne.of += 1,
+                Ok(Some(false)) => {
+                    measured.acne.of += 1;
+                    measured.acne.points += 1;
+                    measured.acne.first.get_or_insert_with(|| {
+                        format!(
+                            "{round:?}, eye {:?}, lamp {:?}, {direction:?}",
+                            given.camera.eye, lamp.position
+                        )
+                    });
+                }
+                Ok(None) => {}
+                Err(failure) => measured.failed(failure),
+            }
+        }
+    }
+}
+
+/// Each convex object of a scene with the lamps, opaque.
+fn alone(scene: &Description) -> impl Iterator<Item = Description> {
+    let mut empty = scene.clone();
+    empty.lamps.iter_mut().for_each(|lamp| lamp.radius = 0.0); // a reflected ray is not to meet it
+    (empty.spheres, empty.ellipsoids, empty.cylinders) = Default::default();
+    empty.floor = None;
+    let spheres = scene.spheres.iter().cloned().map(|mut sphere| {
+        sphere.surface = Surface::Opaque;
+        Description { spheres: vec![sphere], ..empty.clone() }
+    });
+    let ellipsoids = scene.ellipsoids.iter().cloned().map(|mut ellipsoid| {
+        ellipsoid.surface = Surface::Opaque;
+        Description { ellipsoids: vec![ellipsoid], ..empty.clone() }
+    });
+    let cylinders = scene.cylinders.iter().cloned().map(|mut cylinder| {
+        cylinder.surface = Surface::Opaque;
+        Description { cylinders: vec![cylinder], ..empty.clone() }
+    });
+    spheres.chain(ellipsoids).chain(cylinders).collect::<Vec<_>>().into_iter()
+}
+
+/// A direction from the eye to the object: near its silhouette, anywhere, or near the border of light and dark.
+fn toward(round: &Round, eye: Triple, lamp: Triple, rng: &mut Rng) -> Triple {
+    match rng.u8(..4) {
+        0 => round.past(eye, 1.0 - magnitude(rng, -9.0, 0.0), rng),
+        1 => round.past(eye, rng.f64().sqrt(), rng),
+        _ => {
+            // In the space where the object is a unit sphere, a tangent from the lamp touches at cos = 1 / distance.
+            let way = round.seen(lamp);
+            let distance = length(way);
+            if distance.is_nan() || distance <= 1.0 {
+                return sphere(rng);
+            }
+            let axis = way.map(|part| part / distance);
+            let cosine = (1.0 / distance + magnitude(rng, -9.0, -1.0)).min(1.0);
+            let side = across(axis, rng);
+            let place =
+                round.surface(add(axis.map(|part| part * cosine), side, (1.0 - cosine * cosine).sqrt()));
+            unit(add(place, eye, -1.0))
+        }
+    }
+}
+
+/// Whether the point in that direction sees the lamp and lets a reflected ray go; nothing if there is no such point, or
+/// one that the lamp is on the other side of.
+fn look<S: Exact>(
+    narrowed: &Narrowed<S>,
+    scene: &Admitted<S>,
+    direction: Triple,
+    lamp_inside: bool,
+) -> Option<bool> {
+    let [x, y, z] = direction.map(S::unit);
+    let direction: UnitVec3<S> = Vector::new(x, y, z);
+    let lid = scene.limits().lid;
+    let ray = Ray::new::<Everything>(narrowed.camera.eye, direction);
+    let hit = scene.nearest::<Everything>(&ray, lid)?;
+    let t = hit.distance;
+    let (Spot { point, normal, .. }, extent) = match hit.object {
+        Object::Sphere(i) => scene.spheres.get(i).map(|s| (s.spot(&ray, t), s.radius))?,
+        Object::Ellipsoid(i) => {
+            scene.ellipsoids.get(i).map(|e| (e.spot(&ray, t), e.extent.squashed(e.thickness)))?
+        }
+        Object::Cylinder(i) => scene.cylinders.get(i).map(|c| (c.spot(&ray, t), c.radius))?,
+        _ => return None,
+    };
+    let inside = normal.dot(direction) > S::Unit::ZERO;
+    let normal = if inside { -normal } else { normal };
+    let incident = Incident::new(narrowed.lamps.first()?, point, normal)?;
+    if incident.cosine <= S::Unit::ZERO || inside != lamp_inside {
+        return None;
+    }
+    let (start, used) = point.leave(normal, incident.direction, extent);
+    let shadow = Ray::new::<Everything>(start, incident.direction);
+    let lit = scene.transmittance::<Everything>(&shadow, incident.distance - used, lid) == S::Unit::ONE;
+    let reflected = direction.reflect(normal);
+    let (start, _) = point.leave(normal, reflected, extent);
+    // From inside, a reflected ray meets the object again, as it must.
+    let away =
+        inside || scene.nearest::<Everything>(&Ray::new::<Everything>(start, reflected), lid).is_none();
+    Some(lit && away)
+}

@@ -1,0 +1,173 @@
+//! One case in one format, ray by ray beside `f64`.
+
+use core::sync::atomic::{AtomicU64, Ordering};
+
+use fastrand::Rng;
+use rta_core::Scalar;
+use rta_core::color::Rgb;
+use rta_core::illumination::{Illumination, RayKind, Rta, Secondary, Surface, Whitted};
+use rta_core::light::Incident;
+use rta_core::needs::{Everything, Needs};
+use rta_core::range::Admitted;
+use rta_core::ray::Ray;
+use rta_core::trace::Tracer;
+use rta_core::vector::{UnitVec3, Vector};
+use rta_scenes::description::Description;
+use rta_scenes::narrow::{Narrow, Narrowed, narrow};
+
+use super::acne;
+use super::aim::{Drawn, unit};
+use super::cases::Case;
+use super::exact::{Exact, rounded};
+use super::guard::guarded;
+pub use super::outcome::{Measured, Outcome};
+use crate::engine::{EngineError, Format, MAX_DEPTH, in_format};
+
+/// Rays from one eye.
+const BLOCK: usize = 256;
+/// The brightest level of a gun of 8 bits.
+const LEVELS: f64 = 255.0;
+
+/// Traces about `samples` rays of a case from its eyes, in `format` and in `f64`.
+#[must_use]
+pub fn measure(case: &Case, format: Format, samples: usize) -> Outcome {
+    in_format!(format, S => measured::<S>(case, samples))
+}
+
+fn measured<S: Exact>(case: &Case, samples: usize) -> Outcome {
+    let mut measured = Measured { samples: (samples / case.thinning).max(1), ..Measured::default() };
+    let mut errors = Vec::with_capacity(measured.samples);
+    // The same rays for all formats, and others for each case.
+    let mut rng =
+        Rng::with_seed(case.name.bytes().fold(7, |seed: u64, byte| seed.wrapping_mul(31) + u64::from(byte)));
+    let mut left = measured.samples;
+    while left > 0 {
+        let count = left.min(BLOCK);
+        let scene = case.stand.place(&case.scene, &mut rng);
+        let traced = guarded(|| block::<S>(case, &scene, count, &mut rng, &mut measured, &mut errors));
+        match traced {
+            Ok(Ok(())) => {}
+            Ok(Err(reason)) => return Outcome::Refused(reason.to_string()),
+            // Nothing that is guarded ray by ray: making the scene ready.
+            Err(failure) => measured.failed(failure),
+        }
+        left -= count;
+    }
+    measured.spread(&mut errors);
+    acne::search::<S>(case, samples / 2, &mut rng, &mut measured);
+    Outcome::Traced(measured)
+}
+
+/// The rays of one eye.
+fn block<S: Exact>(
+    case: &Case,
+    scene: &Description,
+    count: usize,
+    rng: &mut Rng,
+    measured: &mut Measured,
+    errors: &mut Vec<f64>,
+) -> Result<(), EngineError> {
+    let given = rounded::<S>(scene);
+    let (tested, exact) = (narrow::<S>(&given, 1.0)?, narrow::<f64>(&given, 1.0)?);
+    let (rays, unused) = (AtomicU64::new(0), AtomicU64::new(0));
+    let (tested, exact) = (Side::new(&tested, case.depth, &rays)?, Side::new(&exact, case.depth, &unused)?);
+    for i in 0..count {
+        let (direction, twin) = directions::<S>(case.aim.draw(scene, rng), &tested, &exact);
+        // Both models, one after the other.
+        let traced = guarded(|| (tested.object(direction), tested.light(direction, i % 2 == 0)));
+        let expected = guarded(|| (exact.object(twin), exact.light(twin, i % 2 == 0)));
+        match (traced, expected) {
+            (Ok((object, light)), Ok((twin_object, expected))) => {
+                match difference(light.map(S::widen), expected.map(<f64 as Narrow>::widen)) {
+                    None => measured.non_finite += 1,
+                    Some(_) if object != twin_object => measured.wrong += 1,
+                    Some(levels) => errors.push(levels),
+                }
+            }
+            (Err(failure), _) | (_, Err(failure)) => measured.failed(failure),
+        }
+    }
+    measured.rays += rays.load(Ordering::Relaxed);
+    Ok(())
+}
+
+/// A direction in the format, and the same in `f64`.
+fn directions<S: Exact>(drawn: Drawn, tested: &Side<S>, exact: &Side<f64>) -> (UnitVec3<S>, UnitVec3<f64>) {
+    match drawn {
+        Drawn::Through(x, y) => {
+            let (x, y) = (S::unit(x), S::unit(y));
+            let twin = exact.scene.camera.direction(S::read_unit(x), S::read_unit(y));
+            (tested.scene.camera.direction(x, y), twin)
+        }
+        Drawn::Along(direction) => {
+            let [x, y, z] = direction.map(S::unit);
+            let [u, v, w] = unit([x, y, z].map(S::read_unit));
+            (Vector::new(x, y, z), Vector::new(u, v, w))
+        }
+    }
+}
+
+/// How far the worst register is off on a display of 256 levels; nothing if one is no number. What `f64` still holds may be
+/// beyond `f32`, in which both arrive here.
+fn difference(got: Rgb<f32>, want: Rgb<f32>) -> Option<f64> {
+    let levels = got.zip(want, |got, want| {
+        let shown = |light: f32| f64::from(light).clamp(0.0, 1.0) * LEVELS;
+        (got.is_finite() && !want.is_nan()).then(|| (shown(got) - shown(want)).abs())
+    });
+    Some(levels.r?.max(levels.g?).max(levels.b?))
+}
+
+/// A scene in one format with its two tracers.
+struct Side<'a, S: Scalar> {
+    scene: &'a Narrowed<S>,
+    admitted: Admitted<'a, S>,
+    rta: Tracer<'a, S, Counting<'a, Rta>, Everything, { MAX_DEPTH as usize }>,
+    whitted: Tracer<'a, S, Counting<'a, Whitted<S>>, Everything, { MAX_DEPTH as usize }>,
+}
+
+impl<'a, S: Exact> Side<'a, S> {
+    fn new(scene: &'a Narrowed<S>, depth: u32, rays: &'a AtomicU64) -> Result<Self, rta_core::Error> {
+        let admitted = scene.scene().admit(&scene.camera)?;
+        let rta = Tracer::new(admitted, Counting { model: Rta, rays }, depth)?;
+        let whitted = Tracer::new(admitted, Counting { model: Whitted::default(), rays }, depth)?;
+        Ok(Self { scene, admitted, rta, whitted })
+    }
+
+    fn object(&self, direction: UnitVec3<S>) -> Option<rta_core::scene::Object> {
+        let ray = Ray::new::<Everything>(self.scene.camera.eye, direction);
+        self.admitted.nearest::<Everything>(&ray, self.admitted.limits().lid).map(|hit| hit.object)
+    }
+
+    fn light(&self, direction: UnitVec3<S>, rta: bool) -> Rgb<S::Light> {
+        let camera = &self.scene.camera;
+        if rta { self.rta.primary(camera, direction) } else { self.whitted.primary(camera, direction) }
+    }
+}
+
+/// A model whose rays are counted.
+#[derive(Clone, Copy, Debug)]
+struct Counting<'a, M> {
+    model: M,
+    rays: &'a AtomicU64,
+}
+
+impl<S: Scalar, M: Illumination<S>> Illumination<S> for Counting<'_, M> {
+    type Weight = M::Weight;
+    const BOTH_SIDES: bool = M::BOTH_SIDES;
+
+    fn ambient<N: Needs>(&self, surface: &Surface<S>, ambient: Rgb<S::Light>) -> Rgb<S::Light> {
+        self.model.ambient::<N>(surface, ambient)
+    }
+    fn is_lit<N: Needs>(&self, surface: &Surface<S>) -> bool {
+        self.model.is_lit::<N>(surface)
+    }
+    fn direct<N: Needs>(&self, surface: &Surface<S>, incident: &Incident<S>) -> Rgb<S::Light> {
+        self.model.direct::<N>(surface, incident)
+    }
+    fn secondary<N: Needs>(&self, surface: &Surface<S>) -> Secondary<Self::Weight> {
+        self.model.secondary::<N>(surface)
+    }
+    fn note(&self, _kind: RayKind) {
+        self.rays.fetch_add(1, Ordering::Relaxed);
+    }
+}

@@ -1,0 +1,32 @@
+//! The program from outside, and the picture of its window: what is refused and how, and what comes out.
+//!
+//! It is one program, since linking takes longer than most of these tests.
+#![allow(clippy::indexing_slicing, reason = "a test may panic")]
+
+use std::process::Output;
+
+mod bench;
+mod firmware;
+mod folder;
+mod nff;
+mod pictures;
+mod pipes;
+mod refused;
+mod report;
+mod show;
+
+use folder::Folder;
+
+#[test]
+fn help_and_version_go_to_standard_output() {
+    let folder = Folder::new();
+    for (args, word) in
+        [(&["--help"][..], "Examples"), (&["render", "--help"], "--aspect"), (&["--version"], "rta 0")]
+    {
+        let Output { status, stdout, stderr } = folder.rta(args);
+        assert!(status.success() && stderr.is_empty());
+        assert!(String::from_utf8(stdout).unwrap().contains(word), "{args:?}");
+    }
+    folder.refuses(&["paint"], &["paint"]);
+    folder.refuses(&["render"], &["SCENE"]);
+}
