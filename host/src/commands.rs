@@ -1,4 +1,4 @@
-//! What each command of the program does. The studies have rooms of their own in [`study`](crate::study).
+//! The commands of the program, but for the studies, which are in [`study`](crate::study).
 
 pub mod bake;
 pub mod check;

@@ -1,4 +1,8 @@
-//! The engine: a scene made ready in one number format and one illumination model, both chosen when the program runs.
+//! The engine: a scene made ready to be traced in one number format with one illumination model, both chosen when the program
+//! runs.
+//!
+//! Everything about it that does not draw is beside it: [`admission`] proves that a scene fits a format, [`bands`] shares rows
+//! among threads, [`tally`] counts rays and [`callgrind`] instructions.
 
 use rta_core::Error;
 use rta_core::color::Rgb;
@@ -31,7 +35,7 @@ pub(crate) use model::in_model;
 
 use tally::{Rays, Tally};
 
-/// How a picture is computed.
+/// The settings that a picture is computed with.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Settings {
     /// Pixels in a row.
@@ -69,7 +73,7 @@ impl Default for Settings {
     }
 }
 
-/// The deepest recursion: the capacity of the tracer's stack of pending rays.
+/// The greatest recursion depth, which is the capacity of the tracer's stack of pending rays.
 pub const MAX_DEPTH: u32 = 32;
 
 /// Why a scene cannot be drawn with some settings.
@@ -90,7 +94,7 @@ pub struct Engine {
     rows: Box<dyn Rows>,
 }
 
-/// What the engine asks of a picture, whatever its number format and model.
+/// A picture in any number format and with any model: the type behind which [`Engine`] hides them.
 trait Rows: Send + Sync {
     fn linear(&self, first: u32, out: &mut [Rgb<f32>]);
     fn levels(&self, first: u32, gun_max: u8, out: &mut [Rgb<u8>]);
@@ -117,7 +121,7 @@ impl<S: Narrow, M: Illumination<S> + Copy> Picture<S, M> {
         Ok(Tracer::new(admitted, model, self.depth)?.with_cutoff(cutoff))
     }
 
-    /// The pixels from row `first` on; `new` has made sure that there is a tracer.
+    /// Converts the light of the pixels from row `first` on. `Engine::new` has made sure that there is a tracer.
     fn each<T, I: Illumination<S>>(
         &self,
         model: I,
@@ -164,13 +168,13 @@ impl Engine {
     /// Makes a scene ready.
     ///
     /// # Errors
-    /// Whatever keeps it from being drawn with these settings; once there is an engine, nothing does.
+    /// [`EngineError`] if the scene cannot be drawn with these settings. Drawing with the engine does not fail.
     pub fn new(scene: &Description, settings: &Settings) -> Result<Self, EngineError> {
         let rows = in_format!(settings.format, S => modelled::<S>(scene, settings))?;
         Ok(Self { settings: settings.clone(), rows })
     }
 
-    /// How the picture is computed.
+    /// Returns the settings that the picture is computed with.
     pub fn settings(&self) -> &Settings {
         &self.settings
     }
@@ -180,12 +184,13 @@ impl Engine {
         self.rows.linear(first, out);
     }
 
-    /// The same as levels `0..=gun_max` of a display's guns, rounded in the picture's own number format.
+    /// Fills `out` with levels `0..=gun_max` of a display's guns from row `first` on, from left to right and from top to bottom.
+    /// Light is rounded to levels in the picture's own number format.
     pub fn level_rows(&self, first: u32, gun_max: u8, out: &mut [Rgb<u8>]) {
         self.rows.levels(first, gun_max, out);
     }
 
-    /// The rays that the whole picture takes. It is traced for that, by a model that counts them.
+    /// Returns how many rays of each kind the whole picture takes. The picture is traced to count them.
     pub fn rays(&self) -> Rays {
         self.rows.rays()
     }

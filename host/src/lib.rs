@@ -1,17 +1,18 @@
-//! The desktop program: scenes onto the emulated displays of 1990, into a window or into picture files.
+//! The desktop program: traces scenes for the emulated displays of 1990, in a window or into picture files.
 //!
-//! # The way of a picture
+//! # From the command line to the picture
 //!
 //! | step | where |
 //! | --- | --- |
-//! | what is asked for | [`args`], [`request`], [`raster`] |
-//! | the scene file | [`scene`], [`mod@fit`] |
-//! | the tracer, in one number format and with one model | [`engine`] |
-//! | bands of rows on all cores, delivered in order | [`bands`], [`progress`], [`interrupt`] |
-//! | the emulated device with its colour table, and what is read back from it | [`device`], [`screen`] |
-//! | a picture file, complete or not there at all | [`picture`], [`output`] |
-//! | the commands | [`check`]; [`render`] into a file; [`show`], [`frame`] and [`window`] |
-//! | what it costs | [`mod@bench`]; instructions by [`callgrind`] |
+//! | the command line: values alone, nothing is done with them | [`args`] |
+//! | the scene file, the picture that is asked for, a scene that is scaled to fit | [`request`] |
+//! | the tracer in one number format with one model, on all cores | [`engine`] |
+//! | the emulated device with its colour table, the picture file | [`picture`] |
+//! | the commands | [`commands`] |
+//! | studies of errors, costs and number formats | [`study`] |
+//!
+//! `picture` knows none of the others, `engine` knows `picture`, and `request` knows both; commands and studies know all three. Each
+//! has its own error type; [`error`] gathers them.
 //!
 //! Light is linear all the way and no gamma is applied anywhere: 1 is the brightest level of a gun, which is 255
 //! in a picture file with 8 bits a register.
@@ -25,13 +26,14 @@ pub mod picture;
 pub mod request;
 pub mod study;
 
+// Short paths to what tests and benchmarks use.
 pub use commands::{render, show};
 pub use engine::bands;
 pub use picture::{device, raster, screen};
 pub use request::sampling;
 pub use study::{bench, paired, report, stability};
 
-/// Scene files, and those that the program carries in itself.
+/// Scene files, by the name that the tests know them by.
 pub mod scene {
     pub use crate::request::scene_file::SceneFile as Scene;
 }

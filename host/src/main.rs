@@ -12,7 +12,7 @@ use rta::engine::interrupt;
 use rta::error::Error;
 use rta::study::{bench, report, stability};
 
-/// Status after any error.
+/// Exit status after any error.
 const FAILED: u8 = 2;
 
 fn main() -> ExitCode {
@@ -57,7 +57,7 @@ fn run(command: Option<Command>) -> Result<(), Error> {
     Ok(())
 }
 
-/// Standard error may be closed too: then nobody wants to know.
+/// Writes to standard error. If that is closed too there is nobody left to tell.
 fn complain(text: &str) {
     let _ = write!(io::stderr(), "rta: {text}");
 }

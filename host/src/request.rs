@@ -1,4 +1,4 @@
-//! What is asked for: a picture of a scene, on a display, traced in some way.
+//! A request: the picture that the options of a command ask for.
 
 pub mod error;
 pub mod fit;
@@ -19,7 +19,7 @@ use error::RequestError;
 use fit::Fit;
 use scene_file::SceneFile;
 
-/// What the options of a command say.
+/// A picture that is asked for: its display, its raster and how it is traced.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Request {
     /// The display.
@@ -32,7 +32,7 @@ pub struct Request {
     pub model: Model,
     /// Greatest depth of a ray.
     pub depth: u32,
-    /// Part of its light below which a ray is not traced.
+    /// Contribution cut-off: a ray that brings a smaller part of its light into the pixel is not traced.
     pub cutoff: Cutoff,
     /// Samples of a pixel.
     pub sampling: Sampling,
@@ -45,8 +45,8 @@ pub struct Request {
 }
 
 impl TracingArgs {
-    /// The request that these arguments make of `target`, whatever the scene: with the thesis's model where they name
-    /// none.
+    /// Returns the request of these arguments for a picture on `target`, before the scene is known: with the thesis's model where
+    /// they name none.
     #[must_use]
     pub fn request(&self, target: Target) -> Request {
         let Self { format, depth, cutoff, table, size, aspect, fit, .. } = *self;
@@ -55,7 +55,7 @@ impl TracingArgs {
         Request { target, table, format, model, depth, cutoff, sampling, size, aspect, fit }
     }
 
-    /// The same for a scene.
+    /// Returns the request of these arguments for a picture of `scene` on `target`.
     ///
     /// # Errors
     /// Those of [`Request::for_scene`].
@@ -65,8 +65,8 @@ impl TracingArgs {
 }
 
 impl Request {
-    /// The request for a scene. The model is the one that was `asked` for, else the one that the scene was made for;
-    /// where neither the request nor a device has a size, it is the scene's, with square pixels.
+    /// Completes the request for a scene. The model is the one that was `asked` for, else the one that the scene was made for;
+    /// where neither the request nor a device states a size, it is the scene's, with square pixels.
     ///
     /// # Errors
     /// [`RequestError::SceneSize`].
@@ -85,7 +85,7 @@ impl Request {
         Ok(self)
     }
 
-    /// Pixels of the picture and shape of the screen that it fills (width over height).
+    /// Returns the size of the picture in pixels and the shape of the screen that it fills (width over height).
     ///
     /// A picture smaller than its device is a window in the device's raster and keeps the shape of the device's
     /// pixels. Without a device, pixels are square, except that 320 x 200 is the 4 : 3 screen of mode 13h.
@@ -112,7 +112,7 @@ impl Request {
         Ok((size, aspect.ratio()))
     }
 
-    /// The scene made ready to be traced as asked. If it is scaled, that is told on standard error.
+    /// Makes the scene ready to be traced as asked. If it is scaled, a line on standard error says so.
     ///
     /// # Errors
     /// Those of [`Request::raster`], and [`RequestError::Engine`].
@@ -133,7 +133,7 @@ impl Request {
         Engine::new(&description, &settings).map_err(|source| asked.engine_error(scene, source))
     }
 
-    /// Words for a picture of `scene`.
+    /// Returns the text that is stored in a picture of `scene`.
     #[must_use]
     pub fn caption(&self, scene: &SceneFile) -> Caption {
         let Self { target, table, format, model, depth, cutoff, sampling, .. } = self;

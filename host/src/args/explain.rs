@@ -10,12 +10,12 @@ use super::tracing::TracingArgs;
 use crate::engine::{Format, MAX_DEPTH, Model};
 use crate::picture::raster::{Aspect, Size};
 
-/// Which pixel.
+/// The pixel to explain.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Choice {
     /// Column from the left and row from the top, both from 0.
     At(u32, u32),
-    /// The one whose colour is farthest off.
+    /// The pixel whose colour in the format is farthest from that in `f64`.
     Worst,
 }
 
@@ -62,7 +62,7 @@ pub struct ExplainArgs {
 }
 
 impl ExplainArgs {
-    /// The picture to which the pixel belongs: one ray through the middle of each pixel, without a device.
+    /// Returns how the picture is traced to which the pixel belongs: one ray through the middle of each pixel.
     #[must_use]
     pub fn tracing(&self) -> TracingArgs {
         let Self { format, model, depth, size, aspect, fit, .. } = *self;

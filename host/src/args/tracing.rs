@@ -52,7 +52,7 @@ pub struct TracingArgs {
 }
 
 impl Default for TracingArgs {
-    /// What holds where no option is given.
+    /// The values of the options that are not given on a command line.
     fn default() -> Self {
         Self {
             format: Format::F32,

@@ -8,10 +8,10 @@ use crate::picture::output;
 use crate::request::fit::Fit;
 use crate::request::scene_file::SceneFile;
 
-/// Writes the source of a scene, or says why the number format does not take it.
+/// Runs `rta bake`: writes the source of a scene.
 ///
 /// # Errors
-/// What keeps the scene from being read or the source from being written, and [`RequestError::Refused`](crate::request::error::RequestError::Refused).
+/// Those of reading the scene and of writing the source, and [`RequestError::Refused`](crate::request::error::RequestError::Refused).
 pub fn run(args: &BakeArgs) -> Result<(), Error> {
     let scene = SceneFile::open(&args.scene)?;
     let aspect = args.aspect.ratio();

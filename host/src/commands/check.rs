@@ -11,10 +11,10 @@ use crate::picture::output::print;
 use crate::request::fit::Fit;
 use crate::request::scene_file::SceneFile;
 
-/// Prints the proof.
+/// Runs `rta check`: prints the proof.
 ///
 /// # Errors
-/// What keeps the scene from being read, and [`RequestError::Refused`](crate::request::error::RequestError::Refused) where the format does not admit it.
+/// Those of reading the scene and of writing to standard output, and [`RequestError::Refused`](crate::request::error::RequestError::Refused) where the format does not admit it.
 pub fn run(args: &CheckArgs) -> Result<(), Error> {
     let scene = SceneFile::open(&args.scene)?;
     let aspect = args.aspect.ratio();
@@ -33,7 +33,7 @@ fn value(size: Magnitude) -> f64 {
     f64::from(mantissa) * 2f64.powi(exponent.max(-1100))
 }
 
-/// A number in at most six digits.
+/// Formats a number with about six digits.
 fn digits(value: f64) -> String {
     if value == 0.0 || (1e-3..1e7).contains(&value) {
         let decimals = if value >= 1e4 {

@@ -25,7 +25,7 @@ const OPERATIONS: usize = 10;
 /// A pixel in a number format and in `f64`.
 #[derive(Debug)]
 pub struct Explanation {
-    /// Which format.
+    /// The number format.
     pub format: Format,
     /// The pixel in the format, with the log of its lock step.
     pub pixel: Pixel,
@@ -33,11 +33,11 @@ pub struct Explanation {
     pub truth: Pixel,
 }
 
-/// Traces a pixel in the format of the settings, in `f64`, and in both in lock step; nothing where the raster has no
-/// such pixel.
+/// Traces a pixel in the format of the settings, in `f64`, and in both in lock step. Returns none where the raster has no such
+/// pixel.
 ///
 /// # Errors
-/// Whatever keeps the scene from being drawn with these settings.
+/// [`EngineError`] if the scene cannot be drawn with these settings.
 pub fn explain(
     scene: &Description,
     settings: &Settings,
@@ -49,10 +49,10 @@ pub fn explain(
     Ok(truth.into_iter().nth(x as usize).map(|truth| Explanation { format: settings.format, pixel, truth }))
 }
 
-/// The pixel whose colour, as a display can show it, is farthest from that in `f64`: column and row.
+/// Returns column and row of the pixel whose colour, as a display can show it, is farthest from that in `f64`.
 ///
 /// # Errors
-/// Whatever keeps the scene from being drawn with these settings.
+/// [`EngineError`] if the scene cannot be drawn with these settings.
 pub fn worst(scene: &Description, settings: &Settings) -> Result<(u32, u32), EngineError> {
     let apart = |(a, b): (&Pixel, &Pixel)| {
         let registers = a.light.iter().zip(b.light);
@@ -68,10 +68,10 @@ fn reference(settings: &Settings) -> Settings {
     Settings { format: Format::F64, ..settings.clone() }
 }
 
-/// Does what `rta explain` is asked to.
+/// Runs `rta explain`.
 ///
 /// # Errors
-/// [`Error::PixelOutside`], what keeps the scene from being read or drawn, and what standard output reports.
+/// [`Error::PixelOutside`], and those of reading the scene, making it ready and writing to standard output.
 pub fn run(args: &ExplainArgs) -> Result<(), Error> {
     let tracing = args.tracing();
     tracing.request(Target::None).raster()?;
@@ -140,7 +140,7 @@ fn colors(f: &mut fmt::Formatter<'_>, format: Format, pixel: &Pixel, truth: &Pix
     Ok(())
 }
 
-/// The ray trees side by side; a line whose branches differ is marked.
+/// Writes the ray trees side by side; a line whose branches differ is marked.
 fn tree(f: &mut fmt::Formatter<'_>, format: Format, ours: &[Step], theirs: &[Step]) -> fmt::Result {
     writeln!(f, "  ray                       {:34}{:34}", format.to_string(), "f64")?;
     for i in 0..ours.len().max(theirs.len()) {
@@ -156,7 +156,7 @@ fn tree(f: &mut fmt::Formatter<'_>, format: Format, ours: &[Step], theirs: &[Ste
     writeln!(f, "  lamps: 1 lit, 0 in shadow, * highlight, ~ too faint, - behind\n")
 }
 
-/// What a ray was traced for, indented by its depth.
+/// Returns the kind of a ray, indented by its depth.
 fn branch(step: &Step) -> String {
     let kind = match step.kind {
         RayKind::Primary => "primary",
@@ -167,7 +167,7 @@ fn branch(step: &Step) -> String {
     format!("{:indent$}{kind}", "", indent = usize::from(step.depth).min(10))
 }
 
-/// What it met.
+/// Returns what a ray hit, and the visibility of each lamp from there.
 fn meeting(step: &Step) -> String {
     let mut text = match step.hit {
         HitKind::Sky => "sky".into(),
@@ -199,7 +199,7 @@ fn meeting(step: &Step) -> String {
     text
 }
 
-/// The first flipped decision of the ray in which the trees part: the rest follows from it.
+/// Writes the first flipped decision of the ray in which the trees part; all other differences follow from it.
 fn flips(f: &mut fmt::Formatter<'_>, format: Format, log: &Log, parting: Option<usize>) -> fmt::Result {
     let Some(ray) = parting else {
         return writeln!(f, "flipped decisions: {}, none of which matters\n", log.flips.len());
@@ -216,7 +216,7 @@ fn flips(f: &mut fmt::Formatter<'_>, format: Format, log: &Log, parting: Option<
     writeln!(f)
 }
 
-/// The operations whose result is worst against what went in; each place of the tracer once.
+/// Writes the operations whose result has lost most against their operands; each place of the tracer once.
 fn operations(f: &mut fmt::Formatter<'_>, format: Format, log: &Log) -> fmt::Result {
     let mut worst: Vec<&Operation> = log.operations.iter().collect();
     worst.sort_by(|a, b| b.growth().total_cmp(&a.growth()));

@@ -1,4 +1,4 @@
-//! `rta hash`: a number that tells whether a port draws the right bytes.
+//! `rta hash`: the hash of a picture, by which a port of the tracer shows that it draws the right bytes.
 
 use std::path::Path;
 
@@ -10,10 +10,10 @@ use crate::picture::device::Target;
 use crate::picture::output;
 use crate::request::scene_file::SceneFile;
 
-/// Prints the hash of a scene's picture on a device, and of what picture it is.
+/// Runs `rta hash`: prints the hash of a scene's picture on a device, with the settings of the picture.
 ///
 /// # Errors
-/// What keeps the picture from being drawn.
+/// All of [`Error`] that concern a scene, a device or standard output.
 pub fn run(args: &HashArgs) -> Result<(), Error> {
     let target = Target::On(args.device);
     args.tracing.request(target).raster()?;

@@ -26,8 +26,8 @@ use crate::picture::screen::{Screen, Table};
 use crate::request::Request;
 use crate::request::scene_file::SceneFile;
 
-/// Does what `rta render` is asked to. Whatever can be wrong is found before the first ray, and a file is only replaced
-/// once the picture is complete.
+/// Runs `rta render`. Errors of the options, the scene and the output are found before the first ray, and a file is only
+/// replaced once the picture is complete.
 ///
 /// # Errors
 /// All of [`Error`].
@@ -54,7 +54,7 @@ where
     }
 }
 
-/// A picture about to be traced.
+/// A picture that is ready to be traced.
 pub struct Work<'a> {
     engine: Engine,
     request: &'a Request,
@@ -65,7 +65,7 @@ pub struct Work<'a> {
 }
 
 impl<'a> Work<'a> {
-    /// Makes everything ready that a picture of `scene` needs.
+    /// Makes the scene ready and starts the threads.
     ///
     /// # Errors
     /// Those of [`Request::engine`], and [`BandsError::Threads`].

@@ -23,7 +23,7 @@ use crate::picture::screen::Screen;
 use crate::request::Request;
 use crate::request::scene_file::SceneFile;
 
-/// What a key asks for.
+/// A change that a key asks for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Command {
     /// The next device, with its whole raster.
@@ -38,7 +38,7 @@ pub enum Command {
     Deeper,
     /// One reflection fewer.
     Shallower,
-    /// The same again.
+    /// The picture traced again.
     Restart,
     /// A PNG of what the device shows now.
     Save,
@@ -52,18 +52,18 @@ pub struct Show {
     screen: Screen,
     pool: Arc<ThreadPool>,
     tracing: Tracing,
-    /// What the last key brought, for the title.
+    /// The result of the last key, for the title.
     note: Option<String>,
 }
 
-/// Threads at work on one picture. Dropped, they stop within a band.
+/// The threads that trace a picture. They stop within a band when this is dropped.
 struct Tracing {
     bands: Receiver<(u32, Vec<Rgb<u8>>)>,
     stop: Arc<AtomicBool>,
     began: Instant,
-    /// How long it took, when all rows are there.
+    /// Time that the picture took, once it is complete.
     took: Option<Duration>,
-    /// Rows that are there.
+    /// Rows that are on the screen.
     rows: u32,
 }
 
@@ -90,25 +90,25 @@ impl Show {
         Ok(Self { scene, request, device, screen, pool, tracing, note: None })
     }
 
-    /// The device that is shown.
+    /// The device whose screen is shown.
     #[must_use]
     pub const fn device(&self) -> Device {
         self.device
     }
 
-    /// What is asked for at the moment.
+    /// The picture that is asked for now.
     #[must_use]
     pub const fn request(&self) -> &Request {
         &self.request
     }
 
-    /// True once all rows are on the screen.
+    /// Returns whether all rows are on the screen.
     #[must_use]
     pub const fn is_complete(&self) -> bool {
         self.tracing.took.is_some()
     }
 
-    /// Puts the rows that are ready on the screen, for about as long as `budget`. True if there were any.
+    /// Puts the rows that are ready on the screen, for about as long as `budget`. Returns whether there were any.
     ///
     /// # Errors
     /// [`PictureError::Display`] if the device refuses them.
@@ -135,7 +135,7 @@ impl Show {
         Ok(any)
     }
 
-    /// What the device shows now.
+    /// Returns the picture that the device shows now.
     ///
     /// # Errors
     /// [`PictureError::Display`] if it does not answer.
@@ -143,8 +143,8 @@ impl Show {
         Ok(self.screen.picture()?)
     }
 
-    /// Does what a key asks for. What cannot be done is told in the title, and everything stays as it was. Returns
-    /// the name of the file that was saved, if any.
+    /// Carries out what a key asks for, and returns the name of the file that was saved, if any. On an error the title tells it,
+    /// and everything stays as it was.
     pub fn obey(&mut self, command: Command) -> Option<String> {
         self.note = None;
         let mut request = self.request.clone();
@@ -192,7 +192,7 @@ impl Show {
         Ok(output::write_new(&stem, &content)?.display().to_string())
     }
 
-    /// Scene, device, format, model, depth and time, and what the last key brought.
+    /// Returns the title: scene, device, format, model, depth and time, and the result of the last key.
     #[must_use]
     pub fn title(&self) -> String {
         let Request { table, format, model, depth, .. } = &self.request;
@@ -209,7 +209,7 @@ impl Show {
     }
 }
 
-/// Switches a screen on and sets the threads to work.
+/// Switches a screen on and starts to trace.
 fn begin(
     scene: &SceneFile,
     device: Device,

@@ -9,10 +9,10 @@ use super::format::{Format, in_format};
 /// The formats in the order in which they are suggested: fixed point first, the finest that fits.
 const SUGGESTED: [Format; 4] = [Format::Q20, Format::Q16, Format::F32, Format::F64];
 
-/// What was found of a scene in a number format.
+/// The range proof of a scene in a number format, and whether it holds.
 #[derive(Debug)]
 pub struct Verdict {
-    /// The rows of the proof; none where the scene's numbers cannot even be written in the format.
+    /// The bounds of all quantities; none where the scene's own numbers do not fit the format.
     pub rows: Vec<Bound>,
     /// Why the scene is refused, if it is.
     pub refused: Option<Refusal>,
@@ -25,12 +25,12 @@ pub enum Refusal {
     /// A number of the scene does not fit the format.
     #[error(transparent)]
     Narrow(#[from] NarrowError),
-    /// A row of the proof does not hold.
+    /// A quantity that the tracer computes may not fit the format.
     #[error(transparent)]
     Range(#[from] RangeError),
 }
 
-/// Tries the proof.
+/// Returns the range proof of a scene in `format`, for a screen of the shape `aspect : 1`.
 pub fn verdict(scene: &Description, format: Format, aspect: f64) -> Verdict {
     in_format!(format, S => prove::<S>(scene, aspect))
 }
@@ -45,7 +45,7 @@ fn prove<S: Narrow>(scene: &Description, aspect: f64) -> Verdict {
     }
 }
 
-/// Whether a format admits a scene.
+/// Returns whether a format admits a scene, for a screen of the shape `aspect : 1`.
 pub fn admits(scene: &Description, format: Format, aspect: f64) -> bool {
     fn admits<S: Narrow>(scene: &Description, aspect: f64) -> bool {
         narrow::<S>(scene, aspect).is_ok_and(|narrowed| narrowed.scene().admit(&narrowed.camera).is_ok())
@@ -53,7 +53,7 @@ pub fn admits(scene: &Description, format: Format, aspect: f64) -> bool {
     in_format!(format, S => admits::<S>(scene, aspect))
 }
 
-/// The formats other than `format` that admit the scene, the finest fixed point first.
+/// Returns the formats other than `format` that admit the scene, the finest fixed point first.
 pub fn alternatives(scene: &Description, format: Format, aspect: f64) -> Vec<Format> {
     let fits = |f: &Format| *f != format && admits(scene, *f, aspect);
     SUGGESTED.into_iter().filter(fits).collect()

@@ -1,4 +1,4 @@
-//! Work for all cores: bands of rows, traced in any order and delivered from top to bottom.
+//! Shares a picture among all cores: bands of rows are traced in any order and delivered from top to bottom.
 
 use core::sync::atomic::{AtomicBool, Ordering};
 use std::collections::BTreeMap;
@@ -9,8 +9,8 @@ use rayon::{ThreadPool, ThreadPoolBuildError};
 
 use crate::picture::raster::Size;
 
-/// Pixels in a band, about: few enough that a band stops within milliseconds and that the last bands keep all
-/// threads busy, enough that handing them over costs nothing.
+/// Approximate number of pixels in a band: few enough that a band stops within milliseconds and that the last bands keep all
+/// threads busy, and enough that handing a band over costs nothing beside tracing it.
 const BAND_PIXELS: u32 = 2048;
 
 /// Why a picture is not traced to its end.
@@ -25,7 +25,7 @@ pub enum BandsError {
     Interrupted,
 }
 
-/// Threads for `count` bands at a time, or one for each core.
+/// Starts `count` threads, or one for each core.
 ///
 /// # Errors
 /// [`BandsError::Threads`] if the system has none to give.

@@ -11,25 +11,25 @@ use std::io::{self, Write};
 use std::path::Path;
 use std::process::{Child, Command, Stdio};
 
-/// Why there are no counts.
+/// Why instructions could not be counted.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum CountError {
     /// Valgrind cannot be started.
     #[error("valgrind cannot be started: {0}")]
     Valgrind(io::Error),
-    /// It ended with an error.
+    /// The program under valgrind ended with an error.
     #[error("the program failed under valgrind: {0}")]
     Failed(String),
-    /// Its files could not be read or written.
+    /// Callgrind's files could not be read or written.
     #[error("callgrind's files: {0}")]
     Files(#[from] io::Error),
     /// The function that is counted is not in the symbol table, or was not called as often as it should.
     #[error("callgrind counted {found} calls of {expected}")]
     Incomplete {
-        /// Counts in its files.
+        /// Counts found in callgrind's files.
         found: usize,
-        /// Calls that there should be.
+        /// Calls that should have been counted.
         expected: usize,
     },
 }
@@ -46,7 +46,8 @@ pub fn is_installed() -> bool {
 }
 
 /// Counts the instructions of each call of `functions` (as callgrind is told them) in `program`, which is run with `args`
-/// and `input` on its standard input, and makes `expected` such calls. Interrupted, it returns what can be had.
+/// and `input` on its standard input, and makes `expected` such calls. Once `stop`
+/// is true the program is killed, which is [`CountError::Failed`].
 ///
 /// # Errors
 /// All of [`CountError`].
@@ -88,7 +89,7 @@ pub fn count(
     Ok(counts)
 }
 
-/// Waits for the end, or ends it.
+/// Waits until the process ends, or kills it once `stop` becomes true.
 fn wait(child: &mut Child, stop: &AtomicBool) -> io::Result<()> {
     while child.try_wait()?.is_none() {
         if stop.load(Ordering::Relaxed) {
@@ -99,7 +100,7 @@ fn wait(child: &mut Child, stop: &AtomicBool) -> io::Result<()> {
     Ok(())
 }
 
-/// The counter in one of callgrind's files.
+/// Returns the instructions that one of callgrind's files has counted, if it is such a file.
 fn total(text: &str) -> Option<u64> {
     let line = text.lines().rev().find_map(|line| line.strip_prefix("totals:"))?;
     line.trim().parse().ok()

@@ -1,4 +1,4 @@
-//! Rays that are not worth tracing.
+//! The contribution cut-off: rays that bring less than some part of their light into the pixel are not traced.
 
 use core::fmt;
 use core::str::FromStr;
@@ -12,29 +12,29 @@ pub struct Cutoff {
 }
 
 impl Cutoff {
-    /// Every ray is traced.
+    /// No cut-off: every ray is traced.
     pub const OFF: Self = Self { numerator: 0, denominator: 1 };
 
-    /// The part `1 / denominator`; everything is traced where that is 0.
+    /// The part `1 / denominator`, or [`Cutoff::OFF`] where the denominator is 0.
     #[must_use]
     pub const fn one_in(denominator: u16) -> Self {
         if denominator == 0 { Self::OFF } else { Self { numerator: 1, denominator } }
     }
 
-    /// What is above the line.
+    /// The numerator.
     #[must_use]
     pub const fn numerator(self) -> i64 {
         self.numerator as i64
     }
 
-    /// What is below the line, never 0.
+    /// The denominator, which is never 0.
     #[must_use]
     pub const fn denominator(self) -> i64 {
         self.denominator as i64
     }
 }
 
-/// Not a part of the kind that a [`Cutoff`] is.
+/// The text is not a ratio from 0 to 1.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("expected a part from 0 to 1 as a ratio of whole numbers up to 65535, such as 1/64")]
 pub struct NotAPart;

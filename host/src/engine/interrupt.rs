@@ -2,16 +2,15 @@
 
 use core::sync::atomic::{AtomicBool, Ordering};
 
-/// Status of a process that an interrupt has ended, as shells have it: 128 and the number of the signal.
+/// Exit status of a process that an interrupt has ended, by the convention of shells: 128 and the number of the signal.
 pub const STATUS: u8 = 130;
 
 static INTERRUPTED: AtomicBool = AtomicBool::new(false);
 
-/// Takes over Ctrl-C from here on. What is returned becomes true at the first one; the second ends the process on
-/// the spot.
+/// Handles Ctrl-C from here on: the first one sets the flag that is returned, the second ends the process at once.
 ///
-/// Called when there is something to finish: until then, and where the system does not let it, Ctrl-C ends the
-/// process as ever.
+/// It is called when there is work to be ended in order. Until then, and where the system does not allow a handler, Ctrl-C
+/// ends the process at once.
 pub fn watch() -> &'static AtomicBool {
     let _ = ctrlc::try_set_handler(|| {
         if INTERRUPTED.swap(true, Ordering::Relaxed) {

@@ -1,4 +1,4 @@
-//! How far a picture is, on a terminal, for those that take longer than a second.
+//! A progress bar on a terminal, for work that takes longer than a second.
 
 use core::time::Duration;
 use std::io::{self, IsTerminal};
@@ -6,19 +6,19 @@ use std::time::Instant;
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
-/// How long to keep silent.
+/// Time before the bar appears.
 const PATIENCE: Duration = Duration::from_secs(1);
 
 /// A bar on standard error if that is a terminal, and nothing anywhere else. It goes away when dropped.
 #[derive(Debug)]
 pub struct Progress {
     bar: ProgressBar,
-    /// When to begin, unless that is done or there is no terminal.
+    /// When the work began; none once the bar is shown, or where there is no terminal.
     waits_since: Option<Instant>,
 }
 
 impl Progress {
-    /// Progress through `rows` rows.
+    /// Begins with none of `rows` rows done.
     #[must_use]
     pub fn new(rows: u32) -> Self {
         let bar = ProgressBar::with_draw_target(Some(rows.into()), ProgressDrawTarget::hidden());
@@ -30,7 +30,7 @@ impl Progress {
         Self { bar, waits_since: io::stderr().is_terminal().then(Instant::now) }
     }
 
-    /// Tells that the first `rows` rows are done.
+    /// Shows that the first `rows` rows are done.
     pub fn reached(&mut self, rows: u32) {
         if self.waits_since.is_some_and(|since| since.elapsed() > PATIENCE) {
             self.waits_since = None;

@@ -1,4 +1,4 @@
-//! How many rays a picture takes.
+//! Counts the rays of a picture, by kind.
 
 use core::sync::atomic::{AtomicU64, Ordering};
 
@@ -8,10 +8,10 @@ use rta_core::light::Incident;
 use rta_core::needs::Needs;
 use rta_core::scalar::Scalar;
 
-/// Rays by kind: primary, reflected, transmitted, shadow.
+/// Numbers of rays by kind: primary, reflected, transmitted, shadow.
 pub type Rays = [u64; 4];
 
-/// Where in [`Rays`] a kind is counted.
+/// Returns the index of a kind in [`Rays`].
 #[must_use]
 pub const fn place(kind: RayKind) -> usize {
     match kind {
@@ -27,12 +27,12 @@ pub const fn place(kind: RayKind) -> usize {
 pub struct Tally([AtomicU64; 4]);
 
 impl Tally {
-    /// The model `inner`, whose rays are counted.
+    /// Returns the model `inner` with its rays counted.
     pub const fn model<M>(&self, inner: M) -> Tallied<'_, M> {
         Tallied { inner, tally: self }
     }
 
-    /// What was counted so far.
+    /// Returns the rays counted so far.
     #[must_use]
     pub fn rays(&self) -> Rays {
         self.0.each_ref().map(|counter| counter.load(Ordering::Relaxed))

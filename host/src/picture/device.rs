@@ -20,7 +20,7 @@ pub enum Device {
 }
 
 impl Device {
-    /// What the device can show, as its driver has it.
+    /// Returns the capabilities that its driver states.
     #[must_use]
     pub const fn capabilities(self) -> Capabilities {
         match self {
@@ -30,7 +30,7 @@ impl Device {
         }
     }
 
-    /// The raster of the whole screen.
+    /// Returns the raster of the whole screen.
     #[must_use]
     pub fn size(self) -> Size {
         let Capabilities { width, height, .. } = self.capabilities();
@@ -44,7 +44,7 @@ impl Device {
         f64::from(width) / f64::from(height)
     }
 
-    /// The device after this one, in a circle.
+    /// Returns the device after this one, in a circle.
     #[must_use]
     pub const fn next(self) -> Self {
         match self {
@@ -65,17 +65,17 @@ impl fmt::Display for Device {
     }
 }
 
-/// Where a picture is meant to be seen: on a device, or on none.
+/// The display that a picture is made for, if any.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Target {
     /// On a device, through its colour table.
     On(Device),
-    /// Nowhere: every pixel keeps its own colour.
+    /// On no device: every pixel keeps its own colour.
     None,
 }
 
 impl Target {
-    /// Raster of a picture without a device, unless another is asked for: that of mode 13h.
+    /// The device whose raster and shape a picture without a device has, unless others are asked for.
     const NO_DEVICE: Device = Device::Vga;
 
     /// The raster of a whole picture.

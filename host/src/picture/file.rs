@@ -40,19 +40,19 @@ impl fmt::Display for FileType {
     }
 }
 
-/// Words that go into a picture file which has room for them.
+/// Text that is stored in a picture file whose format has room for it.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Caption {
-    /// The scene.
+    /// The scene's title.
     pub title: String,
-    /// How it was traced and displayed.
+    /// The settings that it was traced and displayed with.
     pub settings: String,
 }
 
 /// A picture as a display shows it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Displayed {
-    /// Its pixels in number.
+    /// Width and height in pixels.
     pub size: Size,
     /// Width over height of the screen it fills.
     pub aspect: f64,
@@ -78,7 +78,7 @@ impl Displayed {
     /// Writes a PNG: indexed with its colour table, or with 8-bit RGB, and with the shape of its pixels (pHYs).
     ///
     /// # Errors
-    /// What `out` reports.
+    /// Those of `out`.
     pub fn write_png(&self, caption: &Caption, out: impl Write) -> io::Result<()> {
         let mut info = info(self.size, self.aspect);
         let data = match &self.pixels {
@@ -97,7 +97,7 @@ impl Displayed {
     /// Writes a binary PPM (P6) with 8 bits a gun.
     ///
     /// # Errors
-    /// What `out` reports.
+    /// Those of `out`.
     pub fn write_ppm(&self, out: &mut (impl Write + ?Sized)) -> io::Result<()> {
         write_ppm_header(self.size, out)?;
         match &self.pixels {
@@ -110,8 +110,8 @@ impl Displayed {
     }
 }
 
-/// What a PNG with 8-bit RGB says of itself, with the ratio of a pixel's sides (pHYs: pixels per unit along x and y)
-/// unless it is square.
+/// Returns the header of a PNG with 8-bit RGB, with the ratio of a pixel's sides (pHYs: pixels per unit along x and y) unless it
+/// is square.
 fn info(size: Size, aspect: f64) -> png::Info<'static> {
     let mut info = png::Info::with_size(size.width(), size.height());
     info.bit_depth = png::BitDepth::Eight;
@@ -126,7 +126,7 @@ fn info(size: Size, aspect: f64) -> png::Info<'static> {
     info
 }
 
-/// Writes all of a PNG that comes before its pixels.
+/// Writes the part of a PNG that comes before its pixels.
 fn header<W: Write>(info: png::Info, caption: &Caption, out: W) -> io::Result<png::Writer<W>> {
     let mut encoder = png::Encoder::with_info(out, info)?;
     encoder.add_text_chunk("Software".into(), concat!("rta ", env!("CARGO_PKG_VERSION")).into())?;
@@ -135,10 +135,10 @@ fn header<W: Write>(info: png::Info, caption: &Caption, out: W) -> io::Result<pn
     Ok(encoder.write_header()?)
 }
 
-/// Writes a PNG with 8-bit RGB whose registers `fill` writes, from left to right and from top to bottom.
+/// Writes a PNG with 8-bit RGB. `fill` writes the registers of its pixels, from left to right and from top to bottom.
 ///
 /// # Errors
-/// What `out` reports, and those of `fill`.
+/// Those of `out` and of `fill`.
 pub fn write_png_rows<E: From<io::Error>>(
     size: Size,
     aspect: f64,
@@ -153,7 +153,7 @@ pub fn write_png_rows<E: From<io::Error>>(
     Ok(writer.finish().map_err(io::Error::from)?)
 }
 
-/// The registers one after the other.
+/// Returns the registers of all pixels one after the other: red, green, blue.
 pub(crate) fn bytes(pixels: &[Rgb<u8>]) -> Vec<u8> {
     pixels.iter().flat_map(|pixel| [pixel.r, pixel.g, pixel.b]).collect()
 }
@@ -161,7 +161,7 @@ pub(crate) fn bytes(pixels: &[Rgb<u8>]) -> Vec<u8> {
 /// Writes the header of a binary PPM (P6) with 8 bits a gun.
 ///
 /// # Errors
-/// What `out` reports.
+/// Those of `out`.
 pub fn write_ppm_header(size: Size, out: &mut (impl Write + ?Sized)) -> io::Result<()> {
     write!(out, "P6\n{} {}\n255\n", size.width(), size.height())
 }
@@ -169,21 +169,21 @@ pub fn write_ppm_header(size: Size, out: &mut (impl Write + ?Sized)) -> io::Resu
 /// Writes the header of a PFM: `PF`, little endian (scale -1.0). Rows follow from the bottom to the top.
 ///
 /// # Errors
-/// What `out` reports.
+/// Those of `out`.
 pub fn write_pfm_header(size: Size, out: &mut (impl Write + ?Sized)) -> io::Result<()> {
     write!(out, "PF\n{} {}\n-1.0\n", size.width(), size.height())
 }
 
-/// Writes linear light as a PFM has it.
+/// Writes pixels of a PFM: linear light as 32-bit floats, little endian.
 ///
 /// # Errors
-/// What `out` reports.
+/// Those of `out`.
 pub fn write_light(pixels: &[Rgb<f32>], out: &mut (impl Write + ?Sized)) -> io::Result<()> {
     let registers = pixels.iter().flat_map(|pixel| [pixel.r, pixel.g, pixel.b]);
     out.write_all(&registers.flat_map(f32::to_le_bytes).collect::<Vec<u8>>())
 }
 
-/// Puts rows of `columns` pixels in the opposite order.
+/// Reverses the order of rows of `columns` pixels.
 pub fn flip<T>(pixels: &mut [T], columns: usize) {
     let mut rest = pixels;
     while rest.len() >= 2 * columns && columns > 0 {

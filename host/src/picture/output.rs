@@ -1,4 +1,4 @@
-//! Where a picture goes: checked before the work, and complete or not there at all after it.
+//! Output files: checked before the work begins, and either complete or absent after it.
 
 use std::fs::{self, File, OpenOptions, Permissions};
 use std::io::{self, BufWriter, IsTerminal, Write};
@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use super::error::PictureError;
 use super::file::FileType;
 
-/// A place that has been found fit for a picture.
+/// An output that was found to be writable.
 #[derive(Debug)]
 pub struct Output {
     path: PathBuf,
@@ -26,10 +26,10 @@ enum Place {
 }
 
 impl Output {
-    /// Looks whether `path` can be written, without changing what is there. `-` is standard output.
+    /// Checks that `path` can be written, without changing a file that is there. `-` is standard output.
     ///
-    /// The kind of picture is `file_type`, or else told by the extension; standard output, pipes and devices
-    /// without one take a PNG.
+    /// The file type is `file_type`, or else that of the extension. Standard output, pipes and devices without an extension take a
+    /// PNG.
     ///
     /// # Errors
     /// [`PictureError::UnknownExtension`], [`PictureError::Terminal`], and [`PictureError::Write`] for a folder, for a file or folder
@@ -48,13 +48,13 @@ impl Output {
         Ok(Self { path: path.to_owned(), file_type, place })
     }
 
-    /// The kind of picture to write.
+    /// Returns the type of picture file to write.
     #[must_use]
     pub const fn file_type(&self) -> FileType {
         self.file_type
     }
 
-    /// Writes everything that `content` gives, or leaves what was there as it was.
+    /// Writes `content`. On an error a file that was there is unchanged.
     ///
     /// # Errors
     /// [`PictureError::Write`], and [`PictureError::BrokenPipe`] if the reader of a pipe has gone.
@@ -62,8 +62,8 @@ impl Output {
         self.fill(|out| out.write_all(content).map_err(Failure::<PictureError>::Write))
     }
 
-    /// Lets `fill` write a file beside its place and puts it there at the end; if anything fails, what was there stays as
-    /// it was. A pipe or device gets everything at once.
+    /// Lets `fill` write a temporary file in the same folder, and renames it to its place at the end. On an error a file that was
+    /// there is unchanged. Pipes and devices are written directly.
     ///
     /// # Errors
     /// [`PictureError::Write`], [`PictureError::BrokenPipe`] if the reader of a pipe has gone, and those of `fill`.
@@ -79,7 +79,7 @@ impl Output {
 }
 
 impl Place {
-    /// Looks what is at `path`, without changing it.
+    /// Finds out what is at `path`, without changing it.
     fn find(path: &Path) -> Result<Self, PictureError> {
         let failed = |source| PictureError::write(path, source);
         if path == Path::new("-") || path == Path::new("/dev/stdout") {
@@ -125,12 +125,12 @@ impl Place {
     }
 }
 
-/// Why an output is not filled.
+/// Why an output is not written.
 #[derive(Debug)]
 pub enum Failure<E> {
-    /// The system does not write it.
+    /// The system refuses to write.
     Write(io::Error),
-    /// What should be written cannot be had.
+    /// The content cannot be produced.
     Other(E),
 }
 
@@ -140,7 +140,7 @@ impl<E> From<io::Error> for Failure<E> {
     }
 }
 
-/// Writes a text to `path` (`-` is standard output), or leaves what was there as it was.
+/// Writes a text to `path`, where `-` is standard output. On an error a file that was there is unchanged.
 ///
 /// # Errors
 /// [`PictureError::Write`], and [`PictureError::BrokenPipe`] if the reader of a pipe has gone.
@@ -159,8 +159,7 @@ pub fn print(text: &str) -> Result<(), PictureError> {
     written.map_err(|source| PictureError::write(Path::new("standard output"), source))
 }
 
-/// Writes `content` as a new file in the current folder: `stem.png`, or with a number if that is taken. Returns
-/// the name.
+/// Writes `content` as a new file in the current folder and returns its name: `stem.png`, or with a number if that is taken.
 ///
 /// # Errors
 /// [`PictureError::Write`].
@@ -181,8 +180,8 @@ pub fn write_new(stem: &str, content: &[u8]) -> Result<PathBuf, PictureError> {
     }
 }
 
-/// A temporary file in the folder of `path`, deleted when dropped. It gets the permissions given, or those that
-/// any new file gets.
+/// Creates a temporary file in the folder of `path`, deleted when dropped. It gets the permissions given, or those of any new
+/// file.
 fn beside(path: &Path, permissions: Option<&Permissions>) -> io::Result<tempfile::NamedTempFile> {
     let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
     fs::metadata(folder)?;
@@ -200,9 +199,9 @@ fn beside(path: &Path, permissions: Option<&Permissions>) -> io::Result<tempfile
     Ok(file)
 }
 
-/// Where a symbolic link points in the end, so that the file behind it is replaced and not the link.
+/// Follows symbolic links to their end, so that the file behind them is replaced and not the link.
 fn follow(path: &Path) -> io::Result<PathBuf> {
-    /// As many links as Linux follows.
+    /// The number of links that Linux follows, too.
     const LINKS: usize = 40;
     let mut path = path.to_owned();
     for _ in 0..LINKS {

@@ -3,7 +3,7 @@
 use core::fmt;
 use core::str::FromStr;
 
-/// Most pixels along one side of a picture.
+/// Largest number of pixels along one side of a picture.
 pub const MAX_SIDE: u32 = 65_535;
 
 /// Narrowest and widest screen that is accepted, as width over height.
@@ -35,7 +35,7 @@ pub enum RasterError {
 }
 
 impl Size {
-    /// A size within the limits.
+    /// Returns the size if it is within the limits.
     ///
     /// # Errors
     /// [`RasterError::NoPixels`] and [`RasterError::TooLarge`].
@@ -49,7 +49,7 @@ impl Size {
         Ok(Self { width, height })
     }
 
-    /// The nearest size within one side's limits; for rasters that are known to be small.
+    /// Clamps both sides to 1 to 8192; for the rasters of devices, which are within these limits.
     #[must_use]
     pub(crate) fn clamped(width: u32, height: u32) -> Self {
         Self { width: width.clamp(1, 8192), height: height.clamp(1, 8192) }
@@ -67,13 +67,13 @@ impl Size {
         self.height
     }
 
-    /// Pixels in a row, for counting in memory.
+    /// Pixels in a row, as a length of slices.
     #[must_use]
     pub const fn columns(self) -> usize {
         self.width as usize
     }
 
-    /// Number of pixels: fits the address space of every desktop.
+    /// Number of pixels, saturated where it does not fit a `usize`.
     #[must_use]
     pub const fn pixels(self) -> usize {
         (self.width as usize).saturating_mul(self.height as usize)
@@ -113,7 +113,7 @@ impl FromStr for Size {
 pub struct Aspect(f64);
 
 impl Aspect {
-    /// An aspect within the limits.
+    /// Returns the aspect if it is within the limits.
     ///
     /// # Errors
     /// [`RasterError::NotAnAspect`].
@@ -140,7 +140,7 @@ impl FromStr for Aspect {
     }
 }
 
-/// The ratio as the nearest fraction of small numbers, by continued fractions: 0.8333... is (5, 6).
+/// Returns the ratio as a fraction of small numbers, by continued fractions: 0.8333... is (5, 6).
 ///
 /// A picture file states the shape of its pixels this way.
 #[must_use]

@@ -1,7 +1,7 @@
 //! An emulated device with a picture on it.
 //!
-//! Nothing is kept of what goes in: what is shown and saved is read back from the device, its colours from its
-//! colour table, so every picture has gone the whole way.
+//! The picture that is shown and saved is read back from the device, pixels and colour table, so that every picture has passed
+//! through the device's own registers and memory.
 
 use core::fmt;
 
@@ -32,10 +32,10 @@ pub enum TableKind {
 }
 
 impl TableKind {
-    /// The table of this kind for a device, which has black only or all its entries.
+    /// Returns a table of this kind for a device. An adaptive one has only black at first, a uniform one all its entries.
     ///
     /// # Errors
-    /// The device has too few colours or levels for it.
+    /// [`TableError`] if the device has too few colours or levels for this kind.
     pub fn table(self, device: Capabilities) -> Result<Box<dyn ColorTable + Send>, TableError> {
         let Capabilities { colors, gun_max, .. } = device;
         Ok(match self {
@@ -45,7 +45,7 @@ impl TableKind {
         })
     }
 
-    /// The one after this, in a circle.
+    /// Returns the kind after this one, in a circle.
     #[must_use]
     pub const fn next(self) -> Self {
         match self {
@@ -66,7 +66,7 @@ impl fmt::Display for TableKind {
     }
 }
 
-/// Either of the colour tables.
+/// A colour table of any kind.
 pub(crate) struct Table(pub(crate) Box<dyn ColorTable + Send>);
 
 impl ColorTable for Table {
@@ -79,11 +79,11 @@ impl ColorTable for Table {
     }
 }
 
-/// A painter of any of the devices: what [`Screen`] needs of it, with errors that are all of one kind.
+/// A painter on any of the devices: the operations that [`Screen`] needs, with one type of error.
 trait Canvas: Send {
     fn put_row(&mut self, y: u32, levels: &[Rgb<u8>]) -> Result<(), PictureError>;
     fn update(&mut self) -> Result<(), PictureError>;
-    /// The entries made so far, as levels of the guns.
+    /// Returns the entries made so far, as levels of the guns.
     fn colors(&mut self) -> Result<Vec<Rgb<u8>>, PictureError>;
     fn read_row(&mut self, y: u32, indices: &mut [u8]) -> Result<(), PictureError>;
 }
@@ -108,7 +108,7 @@ impl<D: ReadBack<Error: Send + Sync + 'static> + Send> Canvas for Painter<D, Tab
     }
 }
 
-/// An emulated device, and the window of its raster that a picture has: at the upper left, often all of it.
+/// An emulated device with a picture in its raster, in the upper left corner.
 pub struct Screen {
     canvas: Box<dyn Canvas>,
     device: Device,
@@ -150,7 +150,7 @@ impl Screen {
         self.canvas.update()
     }
 
-    /// What the device shows, read back from it. The colour table is expanded to 8 bits a gun.
+    /// Returns the picture that the device shows, read back from it. The colour table is expanded to 8 bits a gun.
     ///
     /// # Errors
     /// [`PictureError::Display`] if the device does not answer.

@@ -79,7 +79,7 @@ pub enum RequestError {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Hint {
-    /// Scaling does not help, and `--fit` was not given.
+    /// There is nothing to say about scaling.
     None,
     /// `--fit` would scale the scene by this factor.
     Factor(f64),

@@ -11,21 +11,23 @@ use super::scene_file::SceneFile;
 use crate::engine::admission::{Refusal, admits, alternatives};
 use crate::engine::{EngineError, Format, Model};
 
-/// What a scene has to fit, and whether it may be scaled for that.
+/// The number format and screen that a scene has to fit, and whether it may be scaled to do so.
 #[derive(Clone, Copy, Debug)]
 pub struct Fit {
     /// The number format.
     pub format: Format,
     /// Width over height of the screen.
     pub aspect: f64,
-    /// The model that it is drawn with, which decides whether lamps are attenuated; without one, the scene's own.
+    /// The illumination model that it is drawn with, which decides whether lamps are attenuated; without one, the model that
+    /// the scene was made for.
     pub model: Option<Model>,
     /// Whether `--fit` was given.
     pub asked: bool,
 }
 
 impl Fit {
-    /// What the scene says: as it is, or scaled if that was asked and helps. That it is scaled is told on standard error.
+    /// Returns the scene as it is, or scaled by a power of two where `--fit` was given and scaling makes it fit. A line on
+    /// standard error tells the factor.
     #[must_use]
     pub fn scaled<'a>(&self, scene: &'a SceneFile) -> Cow<'a, Description> {
         if self.asked
@@ -41,7 +43,7 @@ impl Fit {
         Cow::Borrowed(&scene.description)
     }
 
-    /// The error of a scene, scaled already if that helps, that the format does not admit.
+    /// Returns the error about a scene that the format does not admit, with the formats that do and what scaling could do.
     #[must_use]
     pub fn refused(&self, scene: &SceneFile, reason: Refusal) -> RequestError {
         let others = alternatives(&scene.description, self.format, self.aspect);
@@ -49,7 +51,8 @@ impl Fit {
         RequestError::Refused { name, format: self.format, reason: Box::new(reason), others, fit }
     }
 
-    /// The same where it was about to be drawn.
+    /// Returns the error about a scene that could not be made ready to be traced, with what scaling could do if its numbers are
+    /// the reason.
     #[must_use]
     pub fn engine_error(&self, scene: &SceneFile, source: EngineError) -> RequestError {
         let fit = match &source {

@@ -1,4 +1,4 @@
-//! What the command line says of samples and of rays that are not worth tracing.
+//! The number of samples a pixel, as the command line states it.
 
 use core::fmt;
 use core::str::FromStr;
@@ -12,13 +12,13 @@ pub use crate::engine::cutoff::Cutoff;
 pub struct Samples(Sampling);
 
 impl Samples {
-    /// One, in the middle of the pixel.
+    /// One sample, in the middle of the pixel.
     pub const ONE: Self = Self(Sampling::CENTER);
 
-    /// The most samples a pixel that may be asked for.
+    /// The largest number of samples a pixel that may be asked for.
     pub const MOST: u32 = 1024;
 
-    /// The places of the samples, jittered if there is a seed.
+    /// Returns where in a pixel the samples lie: on a regular grid, or jittered where there is a seed.
     #[must_use]
     pub const fn sampling(self, seed: Option<u32>) -> Sampling {
         match seed {
@@ -28,7 +28,7 @@ impl Samples {
     }
 }
 
-/// A number of samples that is not one of the squares.
+/// The number of samples is not a square number within the limits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("expected a square number from 1 to {}: 1, 4, 9, 16 ...", Samples::MOST)]
 pub struct NotASquare;

@@ -1,4 +1,4 @@
-//! Where a scene comes from: a file, standard input, or the program itself.
+//! Scene files: from a path, from standard input, or from the program itself.
 
 use std::fs::File;
 use std::io::{self, Read};
@@ -9,26 +9,26 @@ use rta_scenes::shipped;
 
 use super::error::RequestError;
 
-/// Largest scene file that is read, in bytes: some hundred thousand objects. It stands against reading a device
-/// file or a film to the end.
+/// Largest scene file that is read, in bytes: some hundred thousand objects. The limit keeps the program from reading a
+/// device file or a film to its end.
 pub const MAX_FILE: u64 = 64 << 20;
 
-/// A scene and what it is called.
+/// The contents of a scene file, and its names.
 #[derive(Clone, Debug)]
 pub struct SceneFile {
     /// The file's name for errors, as it was given.
     pub source: String,
     /// The file's name without folders and extension, for titles.
     pub title: String,
-    /// What it says.
+    /// The scene that the file describes.
     pub description: Description,
 }
 
 impl SceneFile {
-    /// The Juggler that the program carries in itself.
+    /// Returns the Juggler, which is part of the program.
     ///
     /// # Errors
-    /// [`RequestError::Scene`] if it is not as the format has it.
+    /// [`RequestError::Scene`] if the file is malformed.
     pub fn juggler() -> Result<Self, RequestError> {
         Self::parse("juggler.dat", "juggler", shipped::JUGGLER.as_bytes())
     }
@@ -41,7 +41,7 @@ impl SceneFile {
         Self::open_with_text(path).map(|(scene, _)| scene)
     }
 
-    /// The same, with the text that was read.
+    /// Reads the scene file `path`, or standard input if it is `-`, and returns its text too.
     ///
     /// # Errors
     /// [`RequestError::Read`] and [`RequestError::Scene`].
@@ -61,10 +61,10 @@ impl SceneFile {
         Ok((Self::parse(&name, &title, &text)?, text))
     }
 
-    /// All scenes that the program carries in itself, with their texts.
+    /// Returns the three scenes of the thesis, which are part of the program, with their texts.
     ///
     /// # Errors
-    /// [`RequestError::Scene`] if one is not as the format has it.
+    /// [`RequestError::Scene`] if one of the files is malformed.
     pub fn shipped() -> Result<Vec<(Self, Vec<u8>)>, RequestError> {
         let scene = |(name, text): (&str, &str)| {
             let title = name.trim_end_matches(".dat");
@@ -73,10 +73,10 @@ impl SceneFile {
         shipped::ALL.into_iter().map(scene).collect()
     }
 
-    /// The scene that the program carries in itself by this name, the thesis's or another.
+    /// Returns the scene that is part of the program under this name, if there is one: one of the thesis, or `balls2`.
     ///
     /// # Errors
-    /// [`RequestError::Scene`] if it is not as the format has it.
+    /// [`RequestError::Scene`] if the file is malformed.
     pub fn named(title: &str) -> Option<Result<Self, RequestError>> {
         let all = shipped::ALL.into_iter().chain([("balls2.nff", shipped::BALLS_2)]);
         let stem = |name: &str| name.split('.').next() == Some(title);

@@ -33,10 +33,10 @@ use case::{Case, Tracing};
 use child::Work;
 use peer::{Peer, Statistics};
 
-/// The scenes of the program that are measured without others, before the random spheres.
+/// The scenes that are measured before the random spheres, where no others are asked for.
 const SCENES: [&str; 3] = ["juggler", "hall-22", "glass-2"];
 
-/// What was found of a scene.
+/// The measurements of a scene.
 struct Row {
     scene: String,
     objects: usize,
@@ -49,7 +49,7 @@ struct Row {
     elapsed: Option<[Duration; 2]>,
 }
 
-/// Does what `rta bench` is asked to.
+/// Runs `rta bench`.
 ///
 /// # Errors
 /// All of [`StudyError`].
@@ -136,7 +136,7 @@ impl Bench<'_> {
         Ok(least)
     }
 
-    /// Nothing after the first failure: the others would fail alike, each in its own time.
+    /// Counts the instructions of a scene; none after the first failure, since the others would fail too and take their time.
     fn instructions(&mut self, case: &Case) -> Option<u64> {
         let BenchArgs { format, size, depth, no_instructions, .. } = self.args;
         if *no_instructions || self.uncounted.is_some() {
@@ -157,19 +157,19 @@ impl Bench<'_> {
     }
 }
 
-/// For dividing.
+/// Returns a count as a float.
 #[allow(clippy::cast_precision_loss)] // below 2^53
 fn float(count: u64) -> f64 {
     count as f64
 }
 
 impl Row {
-    /// Rays of all kinds.
+    /// Returns the number of rays of all kinds.
     fn all_rays(&self) -> f64 {
         float(self.rays.iter().sum())
     }
 
-    /// Nanoseconds of a ray.
+    /// Returns the nanoseconds that a ray takes.
     fn nanoseconds(&self) -> f64 {
         self.time.as_secs_f64() * 1e9 / self.all_rays()
     }
@@ -198,7 +198,7 @@ fn milliseconds(time: Duration) -> String {
     format!("{:.1}", time.as_secs_f64() * 1e3)
 }
 
-/// The tables.
+/// Returns the tables in Markdown.
 fn report(rows: &[Row], args: &BenchArgs) -> String {
     let mut head = vec!["scene", "format", "raster", "objects", "CPU ms"];
     head.extend(["primary", "reflected", "transmitted", "shadow", "ns a ray", "instructions a ray"]);

@@ -1,4 +1,4 @@
-//! What can end a study early.
+//! The errors that end a study early.
 
 use crate::engine::bands::BandsError;
 use crate::picture::error::PictureError;

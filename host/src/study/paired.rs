@@ -4,8 +4,8 @@
 //! is done twice, by the format's own arithmetic and by that of `f64`; every decision is taken by the format. What the
 //! operations lost, and which decisions `f64` would have taken differently, goes into a [`log`].
 //!
-//! That tells *where* a picture goes wrong. *Whether* a pixel took the same branches as in `f64` is told by two
-//! [`trail`]s, one of each number format on its own.
+//! That tells *where* a picture goes wrong. *Whether* a pixel took the same branches as in `f64` is told by its
+//! [`ray_tree`] in each of the two number formats on its own.
 //!
 //! ```
 //! use rta::paired::{Paired, log};
@@ -37,33 +37,33 @@ pub use vector::PairedVector;
 /// A number of the format under test and its twin in `f64`: a length, a unit, a square or a radiance.
 #[derive(Clone, Copy, Debug)]
 pub struct Paired<T> {
-    /// As the format under test has it.
+    /// Its value in the format under test.
     pub format: T,
-    /// As `f64` has it.
+    /// Its value in `f64`.
     pub twin: f64,
 }
 
 /// A number that is passed on but neither compared nor measured: a reciprocal or an intensity.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bare<T> {
-    /// As the format under test has it.
+    /// Its value in the format under test.
     pub format: T,
-    /// As `f64` has it.
+    /// Its value in `f64`.
     pub twin: f64,
 }
 
 impl<T: Value> Paired<T> {
-    /// The two values: the format's and the twin's.
+    /// Returns the two values: the format's and the twin's.
     pub fn values(self) -> [f64; 2] {
         [self.format.value(), self.twin]
     }
 
-    /// How far the two are apart, in units of the format's last place.
+    /// Returns the difference of the two values, in units of the format's last place.
     pub fn error(self) -> f64 {
         (self.format.value() - self.twin).abs() / T::last_place(self.twin)
     }
 
-    /// The result of an operation, noted in the log; `operands` are the errors of what went into it.
+    /// Writes an operation with this result into the log; `operands` are the errors of its operands.
     #[track_caller]
     fn noted(self, name: &'static str, operands: impl IntoIterator<Item = f64>) -> Self {
         log::operation(name, (T::KIND, self.format.value().abs()), self.values(), self.error(), operands);

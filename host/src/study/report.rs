@@ -5,7 +5,8 @@
 //! | what is varied | [`setting`] |
 //! | all depths and cut-offs from one walk of the ray tree | [`tap`] |
 //! | a scene in one format, traced on a part of its pixels | [`mod@bench`] |
-//! | how far two pictures are apart, and the Pareto front | [`measure`] |
+//! | differences of pictures, and the Pareto front | [`measure`] |
+//! | the error of a device's colour table | [`display`] |
 //! | instructions under valgrind | [`instructions`] |
 //! | errors and costs of every setting of a scene | [`mod@study`] |
 //! | the files | [`table`], [`diagram`], [`page`] |
@@ -25,6 +26,7 @@ use crate::study::error::StudyError;
 
 pub mod bench;
 pub mod diagram;
+pub mod display;
 pub mod instructions;
 pub mod measure;
 pub mod page;
@@ -46,7 +48,7 @@ pub struct Source {
     pub title: String,
 }
 
-/// Does what `rta report` is asked to. The files are written once all is measured.
+/// Runs `rta report`. The files are written once everything is measured.
 ///
 /// # Errors
 /// All of [`StudyError`].
@@ -68,7 +70,7 @@ pub fn run(args: &ReportArgs) -> Result<(), StudyError> {
     write(&args.output, &studies(&sources, setup)?, setup)
 }
 
-/// The scenes, or the shipped ones if there are none.
+/// Reads the scenes, or takes the thesis's three if no file is named.
 fn sources(paths: &[PathBuf]) -> Result<Vec<Source>, StudyError> {
     let mut sources: Vec<Source> = Vec::new();
     let scenes: Vec<_> = if paths.is_empty() {
@@ -84,7 +86,7 @@ fn sources(paths: &[PathBuf]) -> Result<Vec<Source>, StudyError> {
     Ok(sources)
 }
 
-/// The studies of all scenes.
+/// Returns the studies of all scenes.
 ///
 /// # Errors
 /// Those of [`study::study`].
@@ -115,7 +117,7 @@ fn write(folder: &Path, studies: &[Study], setup: Setup) -> Result<(), StudyErro
     Ok(file("report.md", page::markdown(studies, setup.size, setup.aspect).as_bytes())?)
 }
 
-/// A diagram as a picture with square pixels.
+/// Returns a diagram as a picture with square pixels.
 fn png_of(study: &Study) -> Result<Displayed, StudyError> {
     let (width, height) = diagram::SIZE;
     let pixels = diagram::pixels(study).map_err(StudyError::report)?;

@@ -11,7 +11,10 @@
 //! | what comes out | [`table`] |
 //!
 //! The reference is given the same numbers as the format, rounded to the format, so the table shows what the arithmetic
-//! does and not that a length of 0.001 has few digits in Q16.16. Rays take turns between the two illumination models.
+//! does and not that a length of 0.001 has few digits in Q16.16.
+//!
+//! Rays take turns between two illumination models, and only two, so that the tables of all versions can be compared: `Rta`, with
+//! attenuated lamps and weights of three registers, and `Whitted`, with halfway vectors and powers of cosines.
 //!
 //! Overflow is what debug assertions find: each operation of a fixed-point format checks its result in a build that has
 //! them. The profile `checked` is the release build with them, and with panics that unwind, so that one ray's panic is a
@@ -54,15 +57,16 @@ pub struct Row {
     pub case: &'static str,
     /// The format.
     pub format: Format,
-    /// What came of it.
+    /// Its outcome.
     pub outcome: Outcome,
 }
 
-/// Puts all formats through `cases`, with `samples` rays from the eye each, and calls `done` after each row with the
+/// Traces `cases` in all formats, with `samples` rays from the eye each, and calls `done` after each row with the
 /// number of rows so far. The rows do not depend on the number of threads.
 ///
 /// # Errors
-/// [`BandsError::Threads`], and [`BandsError::Interrupted`] after an interrupt, at the end of the rows that were begun.
+/// [`BandsError`](bands::BandsError): there are no threads, or an interrupt arrived, which is an error once the rows that were begun
+/// are completed.
 pub fn rows(cases: &[Case], samples: usize, mut done: impl FnMut(u32)) -> Result<Vec<Row>, StudyError> {
     let stop = interrupt::watch();
     let work: Vec<_> = cases.iter().flat_map(|case| FORMATS.map(|format| (case, format))).collect();
@@ -94,7 +98,7 @@ pub fn rows(cases: &[Case], samples: usize, mut done: impl FnMut(u32)) -> Result
     Ok(rows.into_iter().map(|(_, row)| row).collect())
 }
 
-/// Does what `rta stability` is asked to.
+/// Runs `rta stability`.
 ///
 /// # Errors
 /// Those of [`rows`], and [`PictureError::Write`] for the output; the file is looked at before the work.
@@ -121,7 +125,7 @@ pub fn run(args: &StabilityArgs) -> Result<(), StudyError> {
     Ok(())
 }
 
-/// What is in a file; nothing if there is no such file yet.
+/// Returns the text of a file; empty if there is no such file yet.
 fn read(path: &Path) -> Result<String, PictureError> {
     match fs::read_to_string(path) {
         Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(String::new()),

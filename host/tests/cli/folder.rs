@@ -69,7 +69,7 @@ impl Folder {
         assert_eq!(self.names(), before, "{args:?}");
     }
 
-    /// The same for a scene file of this text, by every command that reads one.
+    /// Writes `bad.dat` with this text and sees that every command that traces a scene refuses it, with its name and all of `words`.
     pub(crate) fn refuses_scene(&self, text: impl AsRef<[u8]>, words: &[&str]) {
         self.scene("bad.dat", text);
         let words = [&["bad.dat"], words].concat();

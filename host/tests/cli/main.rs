@@ -16,6 +16,7 @@ mod report;
 mod show;
 
 use folder::Folder;
+use rta::engine::Model;
 
 #[test]
 fn help_and_version_go_to_standard_output() {
@@ -29,4 +30,18 @@ fn help_and_version_go_to_standard_output() {
     }
     folder.refuses(&["paint"], &["paint"]);
     folder.refuses(&["render"], &["SCENE"]);
+}
+
+#[test]
+fn every_model_of_the_list_is_in_the_help_and_can_be_drawn_and_baked() {
+    let folder = Folder::new();
+    let help = folder.prints(&["render", "--help"]);
+    for model in Model::ALL {
+        let name = model.to_string();
+        assert!(help.contains(&format!("- {name}:")), "{name} in {help}");
+        let hash = folder.prints(&["hash", "scene.dat", "--size", "32x20", "--model", &name]);
+        assert!(hash.contains(&format!("model {name},")), "{hash}");
+        let source = folder.prints(&["bake", "scene.dat", "-o", "-", "--model", &name]);
+        assert!(source.contains("pub const SCENE: "), "{name}");
+    }
 }

@@ -13,7 +13,7 @@ pub struct Frame {
     pub pixels: Vec<u32>,
 }
 
-/// The largest rectangle of shape `aspect` within `width` x `height`, at least one pixel.
+/// Returns the largest rectangle of shape `aspect` within `width` x `height`, at least one pixel each way.
 #[must_use]
 #[expect(
     clippy::cast_possible_truncation,
@@ -63,7 +63,7 @@ impl Frame {
     }
 }
 
-/// Which of `from` source pixels fall on each of `to` pixels of the window: at least one.
+/// Returns which of `from` source pixels fall on each of `to` pixels of the window: at least one on each.
 fn spans(from: usize, to: usize) -> Vec<core::ops::Range<usize>> {
     let start = |place: usize| place * from / to.max(1);
     (0..to).map(|place| start(place)..start(place + 1).max(start(place) + 1)).collect()

@@ -34,16 +34,16 @@ Esc  Q    leave";
 /// Frames a second.
 const RATE: usize = 60;
 
-/// Time of a frame that may go into drawing on the device; the rest is for the window.
+/// Time of a frame that may be spent on drawing on the device; the rest is for the window.
 const BUDGET: Duration = Duration::from_millis(8);
 
-/// The window is drawn this often even if nothing has changed, for it may have been covered.
+/// The window is drawn at least this often even if nothing has changed, since it may have been covered.
 const REFRESH: Duration = Duration::from_millis(100);
 
-/// Does what `rta show` is asked to.
+/// Runs `rta show`.
 ///
 /// # Errors
-/// All of [`Error`] but those of an output file that was named.
+/// All of [`Error`] that concern a scene, a device or a file in the current folder.
 pub fn run(args: &ShowArgs) -> Result<(), Error> {
     let target = Target::On(args.device);
     args.tracing.request(target).raster()?;
@@ -66,7 +66,7 @@ pub fn run(args: &ShowArgs) -> Result<(), Error> {
     say(&format!("rta: no display here, so the picture is in ./{}", name.display()))
 }
 
-/// A window for the screen of `device`, if there is a display.
+/// Opens a window for the screen of `device`; none if there is no display.
 fn open(device: Device) -> Option<Window> {
     let named = |name| std::env::var_os(name).is_some_and(|value| !value.is_empty());
     let unix = cfg!(all(unix, not(target_os = "macos")));
@@ -129,7 +129,7 @@ fn watch(mut window: Window, mut show: Show, stop: &AtomicBool) -> Result<(), Er
     Ok(())
 }
 
-/// What a key means.
+/// The meaning of a key.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Press {
     Do(Command),
@@ -138,7 +138,7 @@ enum Press {
 }
 
 impl Press {
-    /// By what the key types, so that every keyboard layout has it where it is printed.
+    /// Returns the meaning of a character, so that in every keyboard layout the key is the one that bears it.
     fn of_char(typed: char) -> Option<Self> {
         Some(match typed.to_ascii_lowercase() {
             'd' => Self::Do(Command::Device),
@@ -156,7 +156,7 @@ impl Press {
         })
     }
 
-    /// By the key, for those that type nothing.
+    /// Returns the meaning of a key that types no character.
     const fn of_key(key: Key) -> Option<Self> {
         match key {
             Key::Up => Some(Self::Do(Command::Deeper)),
@@ -168,7 +168,7 @@ impl Press {
     }
 }
 
-/// Every press as it happens: asking for the keys that are down once a frame would miss the quick ones.
+/// Sends each key press as it happens. Asking once a frame which keys are down would miss the short ones.
 struct Keyboard(Sender<Press>);
 
 impl Keyboard {
@@ -190,7 +190,7 @@ impl InputCallback for Keyboard {
     }
 }
 
-/// A line for standard output.
+/// Writes a line to standard output.
 fn say(line: &str) -> Result<(), Error> {
     Ok(output::print(&format!("{line}\n"))?)
 }

@@ -1,4 +1,4 @@
-//! What is measured: a scene, and how it is traced.
+//! A case of the benchmark: a scene, and how it is traced.
 
 use core::sync::atomic::AtomicBool;
 use core::time::Duration;
@@ -20,7 +20,7 @@ use crate::request::Request;
 use crate::request::scene_file::SceneFile;
 use crate::study::error::StudyError;
 
-/// How a bench traces whatever scene it is given.
+/// How the benchmark traces each scene.
 #[derive(Clone, Copy, Debug)]
 pub struct Tracing {
     /// Number format.
@@ -33,9 +33,9 @@ pub struct Tracing {
 
 /// A scene, ready to be traced.
 pub struct Case {
-    /// What the scene is called, and says.
+    /// The scene.
     pub scene: SceneFile,
-    /// Its file; none of what the program carries in itself.
+    /// The text of its file; none for scenes that are part of the program.
     pub text: Option<Vec<u8>>,
     /// How it is traced.
     pub request: Request,
@@ -45,19 +45,19 @@ pub struct Case {
 }
 
 impl Case {
-    /// The scene of a file.
+    /// Returns the case of a scene file.
     ///
     /// # Errors
-    /// What keeps it from being read or traced.
+    /// Those of reading the scene and making it ready.
     pub fn file(path: &Path, tracing: Tracing) -> Result<Self, StudyError> {
         let (scene, text) = SceneFile::open_with_text(path)?;
         Ok(Self { text: Some(text), ..Self::new(scene, tracing)? })
     }
 
-    /// A scene that the program carries in itself, or makes.
+    /// Returns the case of a scene that is part of the program, or of random spheres.
     ///
     /// # Errors
-    /// [`StudyError::NoScene`], and what keeps it from being traced.
+    /// [`StudyError::NoScene`], and those of making the scene ready.
     pub fn named(name: &str, tracing: Tracing) -> Result<Self, StudyError> {
         let scene = match (SceneFile::named(name), spheres::count(name)) {
             (Some(scene), _) => scene?,
@@ -70,6 +70,7 @@ impl Case {
     fn new(scene: SceneFile, tracing: Tracing) -> Result<Self, StudyError> {
         let Tracing { format, size, depth } = tracing;
         let asked = Request { format, size, depth, ..ShowArgs::default().tracing.request(Target::None) };
+        // With the model that the scene was made for, so that rows can be compared with those of other versions.
         let request = asked.for_scene(None, &scene)?;
         let (engine, (size, _)) = (request.engine(&scene)?, request.raster()?);
         Ok(Self { scene, text: None, request, engine, size })
@@ -87,14 +88,14 @@ impl Case {
         &self.engine
     }
 
-    /// Number of objects, without floor and lamps.
+    /// Returns the number of objects, without floor and lamps.
     #[must_use]
     pub fn objects(&self) -> usize {
         let Description { cylinders, ellipsoids, spheres, cones, triangles, .. } = &self.scene.description;
         cylinders.len() + ellipsoids.len() + spheres.len() + cones.len() + triangles.len()
     }
 
-    /// A picture to trace into.
+    /// Returns a black picture to trace into.
     ///
     /// # Errors
     /// [`PictureError::Memory`].
@@ -105,14 +106,14 @@ impl Case {
         Ok(picture)
     }
 
-    /// Traces the picture on the calling thread: the CPU time that it takes.
+    /// Traces the picture on the calling thread and returns the CPU time that it takes.
     pub fn time(&self, picture: &mut [Rgb<u8>]) -> Duration {
         let start = ThreadTime::now();
         traced_picture(&self.engine, picture);
         start.elapsed()
     }
 
-    /// Traces the picture with several threads, as a picture file is: the time until it is there.
+    /// Traces the picture with several threads, like a picture file, and returns the elapsed time.
     ///
     /// # Errors
     /// All of [`BandsError`](bands::BandsError).
@@ -128,7 +129,7 @@ impl Case {
     }
 }
 
-/// What is measured: its name is the one that callgrind is told.
+/// The function that is measured: callgrind is told its name, so it must not be inlined.
 #[inline(never)]
 pub(super) fn traced_picture(engine: &Engine, picture: &mut [Rgb<u8>]) {
     engine.level_rows(0, u8::MAX, picture);

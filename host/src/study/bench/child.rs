@@ -16,7 +16,7 @@ const COUNTED: [&str; 1] = ["*traced_picture"];
 /// The name of the scene on standard input.
 pub const INPUT: &str = "-";
 
-/// What a child traces: every scene in every format.
+/// The pictures that a child traces: every scene in every format.
 #[derive(Clone, Debug)]
 pub struct Work<'a> {
     /// Names of scenes, or [`INPUT`].
@@ -32,7 +32,7 @@ pub struct Work<'a> {
 /// The child: traces and prints nothing.
 ///
 /// # Errors
-/// What keeps a scene from being traced.
+/// Those of reading a scene and making it ready.
 pub fn run(args: &TracedArgs) -> Result<(), StudyError> {
     for scene in &args.scenes {
         for format in &args.format {
@@ -48,7 +48,7 @@ pub fn run(args: &TracedArgs) -> Result<(), StudyError> {
     Ok(())
 }
 
-/// Instructions of each picture, in the order of the scenes and, for each, of the formats.
+/// Returns the instructions of each picture, in the order of the scenes and, for each, of the formats.
 ///
 /// # Errors
 /// All of [`CountError`].

@@ -1,5 +1,5 @@
-//! Instructions of small pictures, recorded in a file and counted again: what makes the tracer dearer is found without a
-//! quiet machine.
+//! Instructions of small pictures, recorded in a file and counted again later: a change that makes the tracer slower is found
+//! without a quiet machine.
 
 use core::fmt::Write;
 use core::sync::atomic::AtomicBool;
@@ -15,25 +15,25 @@ use crate::picture::output;
 use crate::picture::raster::Size;
 use crate::study::error::StudyError;
 
-/// What is counted.
+/// The scenes whose instructions are counted.
 const SCENES: [&str; 4] = ["juggler", "hall-22", "glass-2", "balls2"];
-/// In each of these.
+/// The formats in which each is traced.
 const FORMATS: [Format; 2] = [Format::F32, Format::Q16];
 /// Pixels of the pictures.
 const SIZE: (u32, u32) = (64, 40);
 /// By how much a count may grow before that is a failure: a twentieth.
 const DRIFT: u64 = 20;
-/// What the line begins with that names the compiler.
+/// The beginning of the line that names the compiler.
 const COMPILER: &str = "# compiler: ";
 
-/// The compiler that made this program, the machine that it is for, and how far it was optimised.
+/// Returns the compiler that made this program, its target and its optimisation, as a record names them.
 #[must_use]
 pub fn build() -> String {
     let checked = if cfg!(debug_assertions) { ", with debug assertions" } else { "" };
     format!("{}{checked}", env!("RTA_BUILD"))
 }
 
-/// A picture's instructions.
+/// The instructions of a picture.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Entry {
     /// Scene and number format.
@@ -44,11 +44,11 @@ pub struct Entry {
     pub instructions: u64,
 }
 
-/// What of a file was not as it should.
+/// Why a record is not compared, or how it differs.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum DriftError {
-    /// It cannot be read.
+    /// The file cannot be read.
     #[error("cannot read {file}: {source}")]
     Read {
         /// The file.
@@ -56,7 +56,7 @@ pub enum DriftError {
         /// What the system says.
         source: io::Error,
     },
-    /// It is no such file.
+    /// The file is not a record of instructions.
     #[error("{file} is not a record of instructions: {reason}")]
     NotARecord {
         /// The file.
@@ -64,7 +64,7 @@ pub enum DriftError {
         /// Why not.
         reason: String,
     },
-    /// Some pictures take more than they did.
+    /// Some pictures take over 5 % more instructions than recorded.
     #[error("more instructions than in {file}, by over 5 %:\n{rows}")]
     Dearer {
         /// The file.
@@ -72,12 +72,12 @@ pub enum DriftError {
         /// The pictures.
         rows: String,
     },
-    /// Nothing can be counted, where that is no excuse.
+    /// Valgrind is not installed, on a machine of continuous integration.
     #[error("nothing is checked: valgrind is not installed")]
     NoValgrind,
 }
 
-/// Counts everything.
+/// Counts the instructions of all pictures.
 fn count(args: &BenchArgs, stop: &AtomicBool) -> Result<Vec<Entry>, StudyError> {
     let size = match args.size {
         Some(size) => size,
@@ -94,7 +94,7 @@ fn count(args: &BenchArgs, stop: &AtomicBool) -> Result<Vec<Entry>, StudyError> 
     order.zip(counts).map(entry).collect()
 }
 
-/// The file of these counts.
+/// Returns the text of a record with these counts.
 fn page(entries: &[Entry]) -> String {
     let mut page = format!("{COMPILER}{}\nscene,format,rays,instructions,instructions_a_ray\n", build());
     for Entry { key: [scene, format], rays, instructions } in entries {
@@ -104,7 +104,7 @@ fn page(entries: &[Entry]) -> String {
     page
 }
 
-/// The compiler and the counts of a file.
+/// Returns the compiler and the counts that a record states.
 fn parse(page: &str) -> Result<(&str, Vec<Entry>), String> {
     let named = page.lines().find_map(|line| line.strip_prefix(COMPILER));
     let compiler = named.ok_or("it names no compiler")?;
@@ -116,7 +116,7 @@ fn parse(page: &str) -> Result<(&str, Vec<Entry>), String> {
     Ok((compiler, rows.map_err(|error| error.to_string())?.into_iter().map(entry).collect()))
 }
 
-/// What differs by more than a twentieth: what grew, and what shrank.
+/// Returns a line for each picture whose count differs by more than a twentieth: those that grew, and those that shrank.
 fn drift(now: &[Entry], then: &[Entry]) -> Result<[Vec<String>; 2], String> {
     let mut drifted = [Vec::new(), Vec::new()];
     for entry in now {
@@ -136,7 +136,7 @@ fn drift(now: &[Entry], then: &[Entry]) -> Result<[Vec<String>; 2], String> {
 /// `rta bench --record`.
 ///
 /// # Errors
-/// What keeps the pictures from being counted or the file from being written.
+/// Those of counting the instructions and of writing the file.
 pub fn record(args: &BenchArgs, file: &Path, stop: &AtomicBool) -> Result<(), StudyError> {
     Ok(output::write_text(file, &page(&count(args, stop)?))?)
 }
@@ -144,7 +144,7 @@ pub fn record(args: &BenchArgs, file: &Path, stop: &AtomicBool) -> Result<(), St
 /// `rta bench --check`.
 ///
 /// # Errors
-/// [`DriftError`] in [`StudyError::Bench`], and what keeps the pictures from being counted.
+/// [`DriftError`] in [`StudyError::Bench`], and those of counting the instructions.
 pub fn check(args: &BenchArgs, file: &Path, stop: &AtomicBool) -> Result<(), StudyError> {
     let name = || file.display().to_string();
     let page = fs::read_to_string(file)

@@ -12,39 +12,39 @@ use super::povray;
 use crate::engine::EngineError;
 use crate::picture::raster::Size;
 
-/// Why there is no time of POV-Ray's.
+/// Why POV-Ray's time could not be measured.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum PeerError {
-    /// It cannot be started.
+    /// POV-Ray cannot be started.
     #[error("povray cannot be started: {0}")]
     Start(io::Error),
-    /// It ended with an error.
+    /// POV-Ray ended with an error.
     #[error("povray does not render {scene}: {reason}")]
     Failed {
         /// The scene.
         scene: String,
-        /// Its last words.
+        /// The end of its output.
         reason: String,
     },
-    /// It said nothing of its time.
+    /// Its output does not state the time.
     #[error("povray does not tell how long {0} took: is it version 3.7?")]
     NoTime(String),
-    /// The scene's camera cannot be turned into its.
+    /// The scene's camera cannot be expressed in POV-Ray's terms.
     #[error(transparent)]
     Camera(#[from] EngineError),
-    /// The temporary folder.
+    /// The temporary folder cannot be made or written.
     #[error("the folder for povray: {0}")]
     Folder(io::Error),
 }
 
-/// What POV-Ray says of a picture.
+/// The statistics that POV-Ray prints of a picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Statistics {
     /// CPU time of tracing, without parsing and building.
     pub time: Duration,
-    /// Rays of all kinds, as it counts them: also those that it does not trace for being too deep, and of those to lamps
-    /// one more for each glass on the way.
+    /// Rays of all kinds by its own count, which includes rays that are too deep to be traced, and one more shadow ray for each
+    /// transparent object on the way to a lamp.
     pub rays: u64,
 }
 
@@ -91,7 +91,7 @@ impl Peer {
     }
 }
 
-/// What an error ends with.
+/// Returns the last lines of the output, which tell the error.
 fn last_words(said: &str) -> String {
     let lines: Vec<_> = said.lines().map(str::trim).filter(|line| !line.is_empty()).collect();
     lines.get(lines.len().saturating_sub(4)..).unwrap_or_default().join(" ")

@@ -83,7 +83,7 @@ impl File {
 
     fn lamp(&mut self, lamp: &Lamp) {
         let place = vector(lamp.position);
-        if self.model == Model::Rta {
+        if self.model.is_attenuated() {
             // Its law is 2 / (1 + d^2).
             let half = vector(lamp.color.map(|register| register / 2.0));
             self.line(format_args!("light_source {{ {place} rgb {half} fade_distance 1 fade_power 2 }}"));
@@ -187,7 +187,7 @@ impl File {
     }
 }
 
-/// What a surface does with light, in POV-Ray's terms.
+/// The coefficients of a surface in POV-Ray's terms.
 struct Coefficients {
     diffuse: f64,
     highlight: f64,

@@ -4,32 +4,32 @@ use rta_scenes::description::{Camera, Description, Sky, Sphere, Surface};
 
 use crate::request::scene_file::SceneFile;
 
-/// How many.
+/// Numbers of spheres in the scenes.
 pub const COUNTS: [u32; 4] = [22, 1000, 10_000, 100_000];
 
-/// Pixels of their pictures.
+/// Width and height of their pictures in pixels.
 pub const SIDE: u32 = 512;
 
-/// What names of such scenes begin with; the number of spheres follows.
+/// The beginning of such a scene's name; the number of spheres follows.
 const NAME: &str = "spheres-";
 
-/// The same spheres in every run.
+/// Seed of the random numbers, so that the spheres are the same in every run.
 const SEED: u64 = 1990;
 
-/// The name of a scene of `count` spheres.
+/// Returns the name of the scene with `count` spheres.
 #[must_use]
 pub fn name(count: u32) -> String {
     format!("{NAME}{count}")
 }
 
-/// The number of spheres of the scene called `name`, if that is one.
+/// Returns the number of spheres in the scene called `name`, if it is one of these scenes.
 #[must_use]
 pub fn count(name: &str) -> Option<u32> {
     name.strip_prefix(NAME)?.parse().ok()
 }
 
-/// `count` spheres in a cube of side 2 about the origin, which they fill to the same part whatever their number, before
-/// an eye south of it. There is no lamp and nothing shines: only the eye's rays are traced.
+/// Returns a scene of `count` spheres in a cube of side 2 about the origin, with the eye south of it. Whatever their number, they
+/// fill the same part of the cube. There are no lamps and no mirrors: only primary rays are traced.
 #[must_use]
 pub fn scene(count: u32) -> SceneFile {
     let mut random = fastrand::Rng::with_seed(SEED);
@@ -51,8 +51,8 @@ pub fn scene(count: u32) -> SceneFile {
     SceneFile { source: name(count), title: name(count), description }
 }
 
-/// How the time of a ray grows from 1000 objects on: the exponent, which is the slope of the line through the points in
-/// logarithmic scale, and the last time over the first. Nothing of fewer than two points.
+/// Returns how the time of a ray grows from 1000 objects on: the exponent, which is the slope of the line through the points in
+/// logarithmic scale, and the ratio of the last time to the first. None if there are fewer than two points.
 #[must_use]
 pub fn growth(points: &[(u32, f64)]) -> Option<(f64, f64)> {
     let points: Vec<_> = points.iter().filter(|(count, _)| *count >= 1000).collect();

@@ -9,16 +9,17 @@ use super::log::Kind;
 
 /// A number that can be read as `f64`, exactly.
 pub trait Value: Copy {
-    /// What kind of number it is.
+    /// The kind of number.
     const KIND: Kind;
-    /// What it is.
+    /// Returns the number as `f64`.
     fn value(self) -> f64;
-    /// What an error of a number of about the size `at` is counted in: one LSB of fixed point; one ulp of a float, or of
-    /// 1 for a smaller one, since it stands beside numbers of that size; of a square, what changes its root by an LSB.
+    /// Returns the unit in which the error of a number of about the size `at` is counted: one LSB in fixed point; one ulp in a float,
+    /// or the ulp of 1 for a smaller number, since it is added to numbers of that size; for a square, the change that changes its
+    /// root by an LSB.
     fn last_place(at: f64) -> f64;
 }
 
-/// A number format of a picture whose quantities can all be read.
+/// A number format all of whose quantities can be read as `f64`.
 pub trait Format: Value + Narrow<Unit: UnitFormat, Wide: Value, Light: Value> {
     /// The value of [`Scalar::FAR`].
     const FARTHEST: f64;

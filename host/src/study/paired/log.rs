@@ -1,4 +1,4 @@
-//! What happened while numbers ran in lock step: a log for each thread, written only while [`record`] runs.
+//! The log of numbers that run in lock step: one for each thread, written only while [`record`] runs.
 
 use core::cell::RefCell;
 use core::panic::Location;
@@ -16,35 +16,35 @@ pub enum Kind {
     Light,
 }
 
-/// An operation and what it lost.
+/// An operation, its result and its error.
 #[derive(Clone, Copy, Debug)]
 pub struct Operation {
-    /// The method of the scalar or vector, or the sign.
+    /// The name of the method, or the operator's sign.
     pub name: &'static str,
-    /// Where in the tracer.
+    /// The place in the tracer's source.
     pub place: &'static Location<'static>,
-    /// Which ray of the tree, counted from 0 in the order they are followed.
+    /// The ray of the tree, counted from 0 in the order in which they are traced.
     pub ray: usize,
     /// The result in the format and in `f64`; of a vector the component that is farthest off.
     pub result: [f64; 2],
     /// Error of the result, in units of its last place.
     pub error: f64,
-    /// What kind of number it is.
+    /// The kind of number.
     pub kind: Kind,
     /// Size of the result in the format; of a vector, of the largest component.
     pub size: f64,
-    /// The largest error of what went in, each in units of its own last place.
+    /// The largest error of an operand, each in units of its own last place.
     pub operands: f64,
 }
 
 impl Operation {
-    /// Bits of the result that are wrong.
+    /// Returns the number of bits of the result that are wrong.
     #[must_use]
     pub fn bits_lost(&self) -> f64 {
         self.error.max(1.0).log2()
     }
 
-    /// By how many bits the result is worse than what went in.
+    /// Returns how many more bits of the result are wrong than of the operands.
     #[must_use]
     pub fn growth(&self) -> f64 {
         self.bits_lost() - self.operands.max(1.0).log2()
@@ -56,9 +56,9 @@ impl Operation {
 pub struct Flip {
     /// The comparison's sign, or the method that decides.
     pub question: &'static str,
-    /// Where in the tracer.
+    /// The place in the tracer's source.
     pub place: &'static Location<'static>,
-    /// Which ray of the tree.
+    /// The ray of the tree, counted from 0.
     pub ray: usize,
     /// The first operand, in the format and in `f64`.
     pub left: [f64; 2],
@@ -66,7 +66,7 @@ pub struct Flip {
     pub right: [f64; 2],
 }
 
-/// All that was recorded, in its order.
+/// All operations and flipped decisions, in their order.
 #[derive(Clone, Debug, Default)]
 pub struct Log {
     /// Operations.
@@ -80,7 +80,7 @@ thread_local! {
     static LOG: RefCell<Option<Log>> = const { RefCell::new(None) };
 }
 
-/// Runs `body`, and gives what was recorded of it on this thread. A recording inside another one is apart from it.
+/// Runs `body` and returns its result with the log of this thread. A recording within another one does not add to it.
 pub fn record<R>(body: impl FnOnce() -> R) -> (R, Log) {
     let outer = LOG.replace(Some(Log::default()));
     let result = body();
@@ -96,7 +96,7 @@ pub(super) fn pause<R>(body: impl FnOnce() -> R) -> R {
     result
 }
 
-/// From now on it is about that ray.
+/// Sets the ray to which the operations that follow belong.
 pub(super) fn enter(ray: usize) {
     with(|log| log.ray = ray);
 }

@@ -3,38 +3,38 @@
 use rta_core::illumination::RayKind;
 use rta_core::scene::Object;
 
-/// What a ray met.
+/// What a ray hits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum HitKind {
-    /// Nothing.
+    /// No object: the sky.
     Sky,
     /// A tile of the floor: one of the odd ones, or not.
     Floor {
         /// Whether it has the second colour.
         odd: bool,
     },
-    /// Any other object, by its place in its list.
+    /// Any other object.
     Object(Object),
 }
 
-/// How a lamp shines on a surface.
+/// Whether a lamp is visible from a point, as far as the model asked.
 #[derive(Clone, Copy, Debug)]
 pub enum Visibility {
-    /// Not at all: it is behind the surface.
+    /// The lamp is behind the surface.
     Behind,
-    /// Too faint for the number format, so nobody asked for its shadow.
+    /// Its light is too faint for the number format, so no shadow ray was traced.
     Faint,
-    /// It is in front.
+    /// The lamp is in front of the surface.
     Front {
-        /// What part of its light comes through: 0 in the shadow.
+        /// The part of its light that arrives: 0 in shadow.
         part: f64,
-        /// Whether it makes a cut-out highlight there.
+        /// Whether the point shows the lamp's cut-out highlight.
         glint: bool,
     },
 }
 
 impl Visibility {
-    /// Whether the two are one branch. What is too faint in one format brings next to nothing in another.
+    /// Returns whether both take the same branch. Light that is too faint in one format hardly counts in another.
     fn is_like(self, other: Self) -> bool {
         // The parts are products of a few coefficients, each rounded.
         const ROUNDING: f64 = 1e-5;
@@ -50,27 +50,27 @@ impl Visibility {
     }
 }
 
-/// One ray and what came of it.
+/// One ray and what became of it.
 #[derive(Clone, Debug)]
 pub struct Step {
-    /// What it was traced for.
+    /// The kind of ray.
     pub kind: RayKind,
-    /// How many rays there are between it and the eye.
+    /// Number of rays between it and the eye.
     pub depth: u8,
-    /// What it met.
+    /// What it hit.
     pub hit: HitKind,
-    /// How far away, where that was a surface.
+    /// Distance of the hit, if it was a surface.
     pub distance: Option<f64>,
-    /// Whether it met that from the inside.
+    /// Whether it hit the surface from the inside.
     pub inside: bool,
-    /// Whether all of it was reflected there that should have been transmitted.
+    /// Whether there was total internal reflection.
     pub total_reflection: bool,
-    /// How each lamp shines there; none where the surface is not lit.
+    /// Each lamp as seen from there; empty where the surface is not lit.
     pub lamps: Vec<Visibility>,
 }
 
 impl Step {
-    /// Whether the two took the same branches.
+    /// Returns whether the two rays took the same branches.
     #[must_use]
     pub fn is_like(&self, other: &Self) -> bool {
         self.kind == other.kind
@@ -83,15 +83,15 @@ impl Step {
     }
 }
 
-/// The ray tree of a pixel, in the order it is followed.
+/// The ray tree of a pixel.
 #[derive(Clone, Debug, Default)]
 pub struct RayTree {
-    /// The rays.
+    /// The rays, in the order in which they are traced.
     pub steps: Vec<Step>,
 }
 
 impl RayTree {
-    /// The first ray with another branch; nothing where the two are one.
+    /// Returns the index of the first ray that takes another branch in `other`, if any.
     #[must_use]
     pub fn parting(&self, other: &Self) -> Option<usize> {
         let like = self.steps.iter().zip(&other.steps).take_while(|(a, b)| a.is_like(b)).count();

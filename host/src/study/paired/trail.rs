@@ -31,45 +31,45 @@ impl Needs for OneByOne {
     const BOXES: bool = false;
 }
 
-/// A pixel and how it came about.
+/// A pixel with its ray tree.
 #[derive(Clone, Debug)]
 pub struct Pixel {
     /// Linear light.
     pub light: [f64; 3],
     /// The levels of the guns, rounded by the number format itself, for each of [`GUNS`].
     pub levels: [Rgb<u8>; GUNS.len()],
-    /// The branches.
+    /// The ray tree.
     pub trail: RayTree,
-    /// What paired numbers recorded; empty for all others.
+    /// The log of paired numbers; empty for all others.
     pub log: Log,
 }
 
 /// The largest levels of the guns of the three devices: mode 13h, graPHIGS, PIXRECT.
 pub const GUNS: [u8; 3] = [63, 15, 255];
 
-/// The pixels of some rows, from left to right and from top to bottom.
+/// Returns the pixels of some rows, from left to right and from top to bottom.
 ///
 /// # Errors
-/// Whatever keeps the scene from being drawn with these settings.
+/// [`EngineError`] if the scene cannot be drawn with these settings.
 pub fn pixels(scene: &Description, settings: &Settings, rows: Range<u32>) -> Result<Vec<Pixel>, EngineError> {
     let window = Window { rows, skip: 0, take: usize::MAX };
     in_format!(settings.format, S => modelled::<S>(scene, settings, &window))
 }
 
-/// All pixels of a picture, on all cores.
+/// Returns all pixels of a picture, traced on all cores.
 ///
 /// # Errors
-/// Whatever keeps the scene from being drawn with these settings.
+/// [`EngineError`] if the scene cannot be drawn with these settings.
 pub fn picture(scene: &Description, settings: &Settings) -> Result<Vec<Pixel>, EngineError> {
     let row = |y| pixels(scene, settings, y..y + 1);
     let rows: Result<Vec<_>, _> = (0..settings.height).into_par_iter().map(row).collect();
     Ok(rows?.into_iter().flatten().collect())
 }
 
-/// One pixel in lock step with `f64`; nothing where the raster has no such pixel.
+/// Traces one pixel in lock step with `f64`; returns none where the raster has no such pixel.
 ///
 /// # Errors
-/// Whatever keeps the scene from being drawn with these settings.
+/// [`EngineError`] if the scene cannot be drawn with these settings.
 pub fn lock_step(
     scene: &Description,
     settings: &Settings,
@@ -81,7 +81,7 @@ pub fn lock_step(
     Ok(if x < settings.width { pixels?.pop() } else { None })
 }
 
-/// Which pixels: of some rows, `take` after the first `skip`.
+/// The pixels to trace: of some rows, `take` pixels after the first `skip`.
 struct Window {
     rows: Range<u32>,
     skip: usize,

@@ -10,9 +10,9 @@ use super::{Bare, Format, Paired, UnitFormat, Value, log};
 /// A vector of the format under test and its twin in `f64`.
 #[derive(Clone, Copy, Debug)]
 pub struct PairedVector<V> {
-    /// As the format under test has it.
+    /// The vector in the format under test.
     pub format: V,
-    /// As `f64` has it.
+    /// The vector in `f64`.
     pub twin: Vec3<f64>,
 }
 

@@ -1,4 +1,7 @@
 //! A scene in one number format, ready to be traced with any setting on a part of its pixels.
+//!
+//! It is traced with the thesis's model alone, for which the scenes were made: every further model would take as many minutes
+//! again, and the page tells of one model.
 
 use core::time::Duration;
 
@@ -31,24 +34,24 @@ pub struct Lattice {
 }
 
 impl Lattice {
-    /// All pixels.
+    /// Returns the lattice of all pixels.
     #[must_use]
     pub const fn all(raster: Raster) -> Self {
         Self { raster, step: 1 }
     }
 
-    /// Every `step`th pixel of every `step`th row, at least one; a step of 0 is 1.
+    /// Returns the lattice of every `step`th pixel of every `step`th row, at least one pixel; a step of 0 counts as 1.
     #[must_use]
     pub fn every(raster: Raster, step: u32) -> Self {
         Self { raster, step: step.clamp(1, raster.width().min(raster.height())) }
     }
 
-    /// The rows.
+    /// Returns the rows of its pixels.
     fn rows(self) -> Vec<u32> {
         Self::side(self.raster.height(), self.step).collect()
     }
 
-    /// The pixels of a row.
+    /// Returns its pixels in row `y`.
     fn row(self, y: u32) -> impl Iterator<Item = (u32, u32)> {
         Self::side(self.raster.width(), self.step).map(move |x| (x, y))
     }
@@ -57,7 +60,7 @@ impl Lattice {
         (step / 2..pixels).step_by(step as usize)
     }
 
-    /// Of something that is there for every pixel, what is there for these.
+    /// Selects the values of its pixels from those of all pixels.
     #[must_use]
     pub fn select<T: Copy>(self, whole: &[T]) -> Vec<T> {
         let at = |(x, y): (u32, u32)| y as usize * self.raster.width() as usize + x as usize;
@@ -66,40 +69,41 @@ impl Lattice {
     }
 }
 
-/// The pictures of all limits, and of none, that one walk has given.
+/// The pictures of all limits, and the one without a limit, from one walk of the ray trees.
 #[derive(Clone, Debug, Default)]
 pub struct Pictures {
-    /// With each limit, in the order of [`Limit::all`].
+    /// The picture with each limit, in the order of [`Limit::all`], and its rays.
     pub limited: Vec<(Picture, Rays)>,
-    /// With the depth of the walk and nothing cut off.
+    /// The picture with the depth of the walk and without a cut-off.
     pub whole: Picture,
 }
 
 /// A scene in one number format.
 pub trait Bench: Send + Sync {
-    /// All limits at once. The depth of the walk is the reference's if `deep`, else the greatest under test.
+    /// Returns the pictures of all limits at once. The depth of the walk is that of the reference if `deep`, else the greatest under
+    /// test.
     ///
     /// # Errors
-    /// What the core finds wrong.
+    /// [`EngineError::Core`] if the scene or the depth is refused.
     fn pictures(&self, sampling: Sampling, lattice: Lattice, deep: bool) -> Result<Pictures, EngineError>;
 
-    /// One setting, on all threads.
+    /// Returns the picture of one setting, traced on all threads.
     ///
     /// # Errors
-    /// What the core finds wrong.
+    /// [`EngineError::Core`] if the scene or the depth is refused.
     fn picture(&self, limit: Limit, sampling: Sampling, lattice: Lattice) -> Result<Picture, EngineError>;
 
-    /// One setting on the calling thread, with nothing counted or kept: the CPU time that it takes.
+    /// Traces the picture of one setting on the calling thread without keeping it, and returns the CPU time that it takes.
     ///
     /// # Errors
-    /// What the core finds wrong.
+    /// [`EngineError::Core`] if the scene or the depth is refused.
     fn time(&self, limit: Limit, sampling: Sampling, lattice: Lattice) -> Result<Duration, EngineError>;
 }
 
-/// A scene made ready in a format, for a screen of the shape `aspect : 1`.
+/// Makes a scene ready in a format, for a screen of the shape `aspect : 1`.
 ///
 /// # Errors
-/// What of it does not fit the format.
+/// [`EngineError`] if the scene does not fit the format.
 pub fn bench(scene: &Description, aspect: f64, format: Format) -> Result<Box<dyn Bench>, EngineError> {
     fn ready<S: Narrow>(scene: &Description, aspect: f64) -> Result<Box<dyn Bench>, EngineError> {
         let narrowed = narrow::<S>(scene, aspect)?;
@@ -179,8 +183,8 @@ impl<S: Narrow> Bench for Narrowed<S> {
     }
 }
 
-/// What is measured: its name is the one that callgrind is told. All that it does besides tracing is one addition a
-/// pixel, so that nothing can be left out.
+/// The function that is measured: callgrind is told its name. Besides tracing it adds up the light of all pixels, so that the
+/// compiler can leave out none of them. It must not be inlined, or callgrind would not find it.
 #[inline(never)]
 fn traced_pixels<S: Narrow>(
     tracer: &Traced<'_, S, Rta>,

@@ -28,12 +28,12 @@ type Area<B> = DrawingArea<B, Shift>;
 type Chart<'a, B> =
     ChartContext<'a, B, Cartesian2d<WithKeyPoints<LogCoord<f64>>, WithKeyPoints<LogCoord<f64>>>>;
 
-/// A diagram cannot be drawn.
+/// Why a diagram cannot be drawn.
 #[derive(Debug, thiserror::Error)]
 #[error("cannot draw the diagram: {0}")]
 pub struct DiagramError(String);
 
-/// The diagram as SVG, with its text as text.
+/// Returns the diagram as SVG, with its text as text elements.
 ///
 /// # Errors
 /// [`DiagramError`].
@@ -44,7 +44,7 @@ pub fn svg(study: &Study) -> Result<String, DiagramError> {
     Ok(text)
 }
 
-/// The diagram's pixels.
+/// Returns the diagram's pixels, row by row from the top.
 ///
 /// # Errors
 /// [`DiagramError`].
@@ -64,16 +64,17 @@ fn font() {
     });
 }
 
-/// What a setting costs, on the diagram's axis.
+/// Returns the cost of a setting: its place on the diagram's horizontal axis.
 #[allow(clippy::cast_precision_loss)] // below 2^53
 pub(super) fn cost(row: &Row) -> f64 {
     row.instructions.unwrap_or_else(|| row.all_rays()) as f64
 }
 
-/// By what factor a point of the front must have less error than the one before it, to be worth naming.
+/// Factor by which a point of the front must have less error than the one before it to be worth naming.
 const WORTH: f64 = 0.99;
 
-/// The places of the rows that are on the Pareto front, the cheapest first, without those that gain less than 1 %.
+/// Returns the indexes of the rows on the Pareto front, the cheapest first, without those whose error is less than 1 % below that
+/// of the one before.
 pub(super) fn front(rows: &[Row]) -> Vec<usize> {
     let points: Vec<_> = rows.iter().map(|row| (cost(row), row.total.rmse)).collect();
     let mut front = pareto_front(&points);
@@ -99,7 +100,8 @@ fn color(method: Method) -> RGBColor {
     }
 }
 
-/// How large a method's marks are: where fixed-point formats draw the same, one is seen around the other.
+/// Returns the size of a method's marks. Those of the fixed-point formats differ, so that one is seen around the other where the
+/// formats draw the same picture.
 fn radius(method: Method) -> i32 {
     if method.format == Format::Q16 { 5 } else { 3 }
 }
@@ -192,7 +194,7 @@ fn levels<B: DrawingBackend>(chart: &mut Chart<B>, rows: &[Row]) -> Result<(), D
     Ok(())
 }
 
-/// All settings of a method as points, and those without a cut-off as a line.
+/// Draws all settings of a method as points, and those without a cut-off as a line.
 fn curve<B: DrawingBackend>(chart: &mut Chart<B>, rows: &[Row], method: Method) -> Result<(), DrawError<B>> {
     let (color, size) = (color(method), radius(method));
     let of = rows.iter().filter(|row| row.method == method);

@@ -20,13 +20,13 @@ use crate::study::error::StudyError;
 /// callgrind, a star at the end is at least one letter.)
 const COUNTED: [&str; 2] = ["*traced_pixels", "*traced_pixels*"];
 
-/// Every how many pixels and rows one is counted.
+/// Instructions are counted on every `STEP`th pixel of every `STEP`th row.
 pub const STEP: u32 = 10;
 
-/// The most samples a pixel that are counted; of more, each is taken to cost what one of these does.
+/// The largest number of samples a pixel that are counted; a ray of more samples is taken to cost as much as one of these.
 const MOST_SAMPLES: u32 = 4;
 
-/// The samples that are counted in the place of `sampling`.
+/// Returns the samples whose instructions stand for those of `sampling`: the same ones, or those of fewer samples a pixel.
 #[must_use]
 pub fn counted(sampling: Sampling) -> Sampling {
     let same =
@@ -34,7 +34,7 @@ pub fn counted(sampling: Sampling) -> Sampling {
     if same(&sampling) { sampling } else { samplings().into_iter().rfind(same).unwrap_or(sampling) }
 }
 
-/// What the child traces, in its order.
+/// The settings that the child traces, in their order.
 pub fn order() -> impl Iterator<Item = (Method, Limit)> {
     let counted = samplings().into_iter().filter(|sampling| counted(*sampling) == *sampling);
     counted.flat_map(Method::with).flat_map(|method| Limit::all().map(move |limit| (method, limit)))
@@ -57,7 +57,7 @@ pub fn run(args: &InstructionsArgs) -> Result<(), StudyError> {
 }
 
 /// Counts the instructions of all settings in [`order`] for the scene file `text`; `program` is this program.
-/// Interrupted, it returns what can be had.
+/// If it is interrupted, the child is killed, which is an error.
 ///
 /// # Errors
 /// All of [`CountError`].

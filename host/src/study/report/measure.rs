@@ -1,13 +1,13 @@
-//! How far two pictures are apart.
+//! Measures of the difference between two pictures, and the Pareto front of errors and costs.
 
 use rta_core::color::Rgb;
 
 /// Measures of the difference between two pictures, over all registers of all pixels.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Difference {
-    /// Root of the mean square, 0 to 1.
+    /// Root of the mean square of the differences, 0 to 1.
     pub rmse: f64,
-    /// The largest, 0 to 1.
+    /// The largest difference of a register, 0 to 1.
     pub worst: f64,
     /// Part of the pixels that differ by at most one level in every register, 0 to 1.
     pub within: f64,
@@ -42,15 +42,15 @@ impl Difference {
     }
 }
 
-/// The median, by value: of an even number of values the lower of the two in the middle; 0 of none.
+/// Returns the median: of an even number of values the lower of the two in the middle, of no values 0.
 #[must_use]
 pub fn median(mut values: Vec<f64>) -> f64 {
     values.sort_by(f64::total_cmp);
     values.get(values.len().saturating_sub(1) / 2).copied().unwrap_or(0.0)
 }
 
-/// The Pareto front of points `(cost, error)`: those that no other point beats in one without being worse in the other,
-/// by their places, the cheapest first. Of equal points the first is in it.
+/// Returns the indexes of the points `(cost, error)` on the Pareto front, the cheapest first: those than which no other point is
+/// better in one without being worse in the other. Of equal points the first is on the front.
 #[must_use]
 pub fn pareto_front(points: &[(f64, f64)]) -> Vec<usize> {
     let mut order: Vec<_> = points.iter().enumerate().collect();

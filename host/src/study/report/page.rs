@@ -7,10 +7,10 @@ use super::instructions;
 use super::study::{DEVICES, REPEATS, Row, Study, TIME_STEP, TRUTH_STEP};
 use crate::picture::raster::Size;
 
-/// Errors that a cheapest setting is named for: a level of guns with 3 to 10 bits.
+/// Errors for which the cheapest setting is named: one level of guns with 3 to 10 bits.
 const TARGETS: [u32; 7] = [7, 15, 31, 63, 127, 255, 1023];
 
-/// The page, in Markdown. `aspect` is the width of the screen over its height.
+/// Returns the page in Markdown. `aspect` is the width of the screen over its height.
 #[must_use]
 pub fn markdown(studies: &[Study], size: Size, aspect: f64) -> String {
     let mut page = String::from("# Error against run time\n");
@@ -83,7 +83,7 @@ fn scene(page: &mut String, study: &Study) -> core::fmt::Result {
 const HEAD: &str = "| format | samples | depth | cut-off | instructions | rays | CPU seconds |";
 const RULE: &str = "| --- | --- | --- | --- | --- | --- | --- |";
 
-/// The columns that name a setting and its costs.
+/// Returns the cells that name a setting and its costs.
 fn setting(row: &Row) -> String {
     let (method, limit) = (row.method, row.limit);
     let jittered = if method.sampling.is_jittered() { " jittered" } else { "" };
@@ -108,7 +108,7 @@ fn millions(count: u64) -> String {
     format!("{:.2} M", count as f64 / 1e6)
 }
 
-/// For each target the cheapest of `rows` whose error is at most that.
+/// Writes for each target the cheapest of `rows` whose error is at most that.
 fn cheapest(page: &mut String, rows: &[Row], error: impl Fn(&Row) -> f64) -> core::fmt::Result {
     writeln!(page, "| error at most {HEAD} error |\n| --- {RULE} --- |")?;
     for target in TARGETS {
@@ -121,7 +121,7 @@ fn cheapest(page: &mut String, rows: &[Row], error: impl Fn(&Row) -> f64) -> cor
     Ok(())
 }
 
-/// The errors of each method at depth 5.
+/// Writes the errors of each method at depth 5.
 fn apart(page: &mut String, rows: &[Row]) -> core::fmt::Result {
     write!(page, "| format | samples | rounding | beyond 1/255 | truncation | sampling | total |")?;
     for device in DEVICES {

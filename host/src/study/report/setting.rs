@@ -1,4 +1,4 @@
-//! What is varied in the study.
+//! The settings that the study varies: number format, samples, depth and cut-off.
 
 use core::fmt;
 use core::ops::RangeInclusive;
@@ -34,13 +34,13 @@ fn grid(side: u8) -> Sampling {
     Sampling::grid(side).unwrap_or(Sampling::CENTER)
 }
 
-/// The samples of the reference.
+/// Returns the samples of the reference: 1024 a pixel, on a regular grid.
 #[must_use]
 pub fn reference_sampling() -> Sampling {
     grid(REFERENCE_SIDE)
 }
 
-/// The regular grids, then the jittered ones.
+/// Returns the samplings under test: the regular grids, then the jittered ones.
 #[must_use]
 pub fn samplings() -> Vec<Sampling> {
     let jittered = SIDES.iter().filter(|side| **side > 1).map(|side| grid(*side).jittered(SEED));
@@ -57,7 +57,7 @@ pub struct Method {
 }
 
 impl Method {
-    /// All methods that draw with these samples: every format with regular ones, `f32` alone with jittered ones.
+    /// Returns the methods with these samples: every format with regular ones, `f32` alone with jittered ones.
     pub fn with(sampling: Sampling) -> impl Iterator<Item = Self> {
         let formats = if sampling.is_jittered() { FORMATS.get(..1) } else { FORMATS.get(..) };
         formats.unwrap_or_default().iter().map(move |format| Self { format: *format, sampling })
@@ -79,7 +79,7 @@ impl fmt::Display for Method {
     }
 }
 
-/// Depth and cut-off: one of the pictures that one walk of the ray tree gives.
+/// Depth and cut-off. One walk of the ray tree gives the pictures of all limits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Limit {
     /// Recursion depth.
@@ -92,13 +92,13 @@ impl Limit {
     /// The reference: as deep as it goes, and nothing cut off.
     pub const REFERENCE: Self = Self { depth: REFERENCE_DEPTH, cutoff: Cutoff::OFF };
 
-    /// All depths with all cut-offs, depth by depth.
+    /// Returns all depths with all cut-offs, depth by depth.
     pub fn all() -> impl Iterator<Item = Self> {
         DEPTHS.flat_map(|depth| CUTOFFS.map(|cutoff| Self { depth, cutoff }))
     }
 }
 
-/// How many there are of [`Limit::all`].
+/// Number of limits in [`Limit::all`].
 pub const LIMITS: usize = (*DEPTHS.end() as usize + 1) * CUTOFFS.len();
 
 #[cfg(test)]

@@ -5,37 +5,34 @@ use std::path::Path;
 use std::thread;
 
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
-use rta_core::color::Rgb;
 use rta_core::raster::Raster;
 use rta_core::sampling::Sampling;
 
 use super::Source;
 use super::bench::{Bench, Lattice, Picture, Pictures, bench};
-use super::instructions;
 use super::measure::{Difference, median};
 use super::setting::{LIMITS, Limit, Method, reference_sampling, samplings};
+use super::{display, instructions};
 
 use crate::engine::callgrind::CountError;
 use crate::engine::progress::Progress;
 use crate::engine::tally::Rays;
 use crate::engine::{EngineError, Format};
 use crate::picture::device::Device;
-use crate::picture::file::Pixels;
 use crate::picture::raster::Size;
-use crate::picture::screen::{Screen, TableKind};
 use crate::request::error::{Hint, RequestError};
 use crate::study::error::StudyError;
 
 /// The devices whose display error is measured.
 pub const DEVICES: [Device; 3] = [Device::Vga, Device::Graphigs, Device::Pixrect];
 
-/// Every how many pixels and rows one has its 1024 samples.
+/// The reference of 1024 samples is traced for every `TRUTH_STEP`th pixel of every `TRUTH_STEP`th row.
 pub const TRUTH_STEP: u32 = 2;
 
-/// Every how many pixels and rows one is traced for the CPU time.
+/// CPU time is taken on every `TIME_STEP`th pixel of every `TIME_STEP`th row.
 pub const TIME_STEP: u32 = 8;
 
-/// How often the CPU time is taken: the median counts.
+/// Number of times that the CPU time is taken; the median counts.
 pub const REPEATS: usize = 5;
 
 /// One level of a gun with 8 bits.
@@ -44,7 +41,7 @@ const LEVEL: f64 = 1.0 / 255.0;
 /// Steps of [`Progress`] that a scene takes.
 pub const STEPS: u32 = 30;
 
-/// One setting.
+/// The errors and the cost of one setting.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Row {
     /// Number format and samples.
@@ -57,17 +54,17 @@ pub struct Row {
     pub instructions: Option<u64>,
     /// CPU seconds of the whole picture on one thread.
     pub seconds: f64,
-    /// Against `f64` with the same depth, cut-off and samples.
+    /// Rounding error: against `f64` with the same depth, cut-off and samples.
     pub rounding: Difference,
-    /// Of `f64`: against the reference's depth without a cut-off, with the same samples.
+    /// Truncation error of `f64`: against the reference's depth without a cut-off, with the same samples.
     pub truncation: Difference,
-    /// Of `f64` with the reference's depth: against 1024 samples.
+    /// Sampling error of `f64` with the reference's depth: against 1024 samples.
     pub sampling: Difference,
     /// Rounding and truncation together: against `f64` with the reference's depth and the same samples.
     pub tracing: Difference,
-    /// All together: against `f64` with the reference's depth and 1024 samples.
+    /// All errors together: against `f64` with the reference's depth and 1024 samples.
     pub total: Difference,
-    /// What each of [`DEVICES`] shows against the picture before, in levels of its guns.
+    /// Error of the display: the picture that each of [`DEVICES`] shows against the one it is sent, in levels of its guns.
     pub display: [Difference; 3],
 }
 
@@ -88,11 +85,11 @@ pub struct Study {
     pub size: (usize, usize),
     /// One for each setting.
     pub rows: Vec<Row>,
-    /// Why nothing was counted.
+    /// Why no instructions were counted.
     pub uncounted: Option<CountError>,
 }
 
-/// What the study of a scene is made with.
+/// The settings that all scenes of a report have in common.
 #[derive(Clone, Copy, Debug)]
 pub struct Setup<'a> {
     /// Pixels.
@@ -114,7 +111,7 @@ impl Setup<'_> {
 /// Makes the study of a scene; `done` steps of the progress are behind it.
 ///
 /// # Errors
-/// [`RequestError::Engine`], [`PictureError::Display`] and [`BandsError::Interrupted`].
+/// [`RequestError::Engine`], [`PictureError::Display`](crate::picture::error::PictureError::Display) and [`BandsError::Interrupted`](crate::engine::bands::BandsError::Interrupted).
 pub fn study(source: &Source, setup: Setup, progress: &mut Progress, done: u32) -> Result<Study, StudyError> {
     let counting = thread::scope(|scope| {
         // Callgrind has one core for itself; the pictures take what is left.
@@ -160,7 +157,7 @@ fn raster(source: &Source, setup: Setup) -> Result<Raster, StudyError> {
     Raster::new(setup.size.width(), setup.size.height()).map_err(EngineError::from).map_err(failed(source))
 }
 
-/// All errors and rays.
+/// Returns the rows of all settings with their errors and rays, without their costs.
 fn pictures(
     source: &Source,
     setup: Setup,
@@ -194,7 +191,7 @@ fn pictures(
     Ok(rows)
 }
 
-/// What the pictures of a method are held against.
+/// The pictures that those of a method are compared with.
 #[derive(Clone, Copy)]
 struct Judge<'a> {
     method: Method,
@@ -211,7 +208,7 @@ impl Judge<'_> {
         let between = |a: &Picture, b: &Picture| Difference::between(a, b, LEVEL);
         let mut display = [Difference { rmse: 0.0, worst: 0.0, within: 1.0 }; 3];
         for (difference, device) in display.iter_mut().zip(DEVICES) {
-            *difference = displayed(device, self.setup, picture)?;
+            *difference = display::error(device, (self.setup.size, self.setup.aspect), picture)?;
         }
         Ok(Row {
             method: self.method,
@@ -229,31 +226,7 @@ impl Judge<'_> {
     }
 }
 
-/// What a device makes of a picture, in levels of its guns.
-fn displayed(device: Device, setup: Setup, picture: &Picture) -> Result<Difference, StudyError> {
-    let most = device.capabilities().gun_max;
-    let levels: Vec<_> = picture.iter().map(|light| light.levels(most)).collect();
-    let mut screen = Screen::new(device, TableKind::Tolerant, setup.size, setup.aspect)?;
-    screen.put_rows(0, &levels)?;
-    let shown: Picture = match screen.picture()?.pixels {
-        Pixels::Direct(pixels) => pixels.into_iter().map(|color| light(color, most)).collect(),
-        Pixels::Indexed { palette, indices } => {
-            let color = |index: u8| palette.get(usize::from(index)).copied().unwrap_or_default();
-            indices.into_iter().map(|index| light(color(index), most)).collect()
-        }
-    };
-    let most = f64::from(most);
-    let Difference { rmse, worst, within } = Difference::between(&shown, picture, 1.0 / most);
-    Ok(Difference { rmse: rmse * most, worst: worst * most, within })
-}
-
-/// The level of a gun, as its share of `most`, from what it was expanded to in 8 bits.
-fn light(shown: Rgb<u8>, most: u8) -> Rgb<f32> {
-    let level = |shown: u8| (f32::from(shown) * f32::from(most) / 255.0).round();
-    shown.map(|shown| level(shown) / f32::from(most))
-}
-
-/// Rays of a setting on a part of the pixels: what costs that were measured there are divided by.
+/// A part of the pixels. Costs that were measured there are divided by its rays.
 struct Parts<'a> {
     source: &'a Source,
     setup: Setup<'a>,
@@ -261,7 +234,7 @@ struct Parts<'a> {
 }
 
 impl Parts<'_> {
-    /// Of a method, for each limit.
+    /// Returns the rays of a method on these pixels, for each limit.
     fn rays(&self, format: Format, sampling: Sampling) -> Result<Vec<f64>, StudyError> {
         let bench = ready(self.source, self.setup, format)?;
         let pictures = bench.pictures(sampling, self.lattice, false).map_err(failed(self.source))?;
@@ -269,13 +242,13 @@ impl Parts<'_> {
     }
 }
 
-/// All rays, for dividing.
+/// Returns the number of rays of all kinds, as a float.
 #[allow(clippy::cast_precision_loss)] // below 2^53
 fn count(rays: Rays) -> f64 {
     rays.iter().sum::<u64>() as f64
 }
 
-/// From the instructions of a part of the pixels to those of the whole picture, by its rays.
+/// Computes the instructions of the whole pictures from those of a part of the pixels, in proportion to the rays.
 fn scale_instructions(
     source: &Source,
     setup: Setup,
@@ -306,7 +279,7 @@ fn scale(count: u64, factor: f64) -> u64 {
     (count as f64 * factor).round() as u64
 }
 
-/// CPU seconds, scaled up like the instructions.
+/// Measures the CPU seconds, and scales them up in proportion to the rays like the instructions.
 fn times(
     source: &Source,
     setup: Setup,

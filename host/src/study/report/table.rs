@@ -3,10 +3,10 @@
 use super::measure::Difference;
 use super::study::{DEVICES, Row, Study};
 
-/// All rows of all studies.
+/// Returns the rows of all studies as comma-separated values.
 ///
 /// # Errors
-/// None that memory does not have.
+/// Those of writing to memory: none are expected.
 pub fn csv(studies: &[Study]) -> Result<Vec<u8>, csv::Error> {
     let mut table = csv::Writer::from_writer(Vec::new());
     table.write_record(head())?;
@@ -18,7 +18,7 @@ pub fn csv(studies: &[Study]) -> Result<Vec<u8>, csv::Error> {
     table.into_inner().map_err(|error| csv::Error::from(error.into_error()))
 }
 
-/// The names of the columns. `cpu_s`, the last, is the only one that another run gives otherwise.
+/// Returns the names of the columns. The last, `cpu_s`, is the only one whose values differ from run to run.
 fn head() -> Vec<String> {
     let plain = [
         "scene",

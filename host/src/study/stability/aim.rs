@@ -1,4 +1,4 @@
-//! Where the rays of a case start, and where they go: drawn in `f64` from a seeded generator, the same for every format.
+//! Origins and directions of a case's rays, drawn in `f64` from a seeded generator, so that they are the same in every format.
 
 use core::f64::consts::TAU;
 
@@ -8,18 +8,18 @@ use rta_scenes::description::Description;
 /// Three numbers: a place, or a direction of length 1.
 pub type Triple = [f64; 3];
 
-/// Where the eye stands. Rays come in blocks, and each block has an eye and a view of its own.
+/// The position of the eye. Rays come in blocks, and each block has an eye and a view of its own.
 #[derive(Clone, Copy, Debug)]
 pub enum Stand {
-    /// Where the scene has it, moved and turned by up to that much in each coordinate; in every other block not at all.
+    /// The scene's own, moved and turned by up to that much in each coordinate; in about half of the blocks not at all.
     Shaken(f64),
     /// Anywhere on the surface of the first round object, to within the rounding of the format.
     OnSurface,
-    /// Where the scene has it, but 0.01 to 100 units above the floor, all magnitudes alike.
+    /// The scene's own moved a little, but 0.01 to 100 units above the floor, all magnitudes alike.
     AboveFloor,
 }
 
-/// Where rays go.
+/// The directions of rays.
 #[derive(Clone, Copy, Debug)]
 pub enum Aim {
     /// Through anywhere on the image plane: the picture itself.
@@ -56,7 +56,7 @@ pub struct Round {
 }
 
 impl Round {
-    /// All of a scene, spheres first.
+    /// Returns all round objects of a scene, spheres first.
     pub fn all(scene: &Description) -> impl Iterator<Item = Self> {
         let spheres = scene.spheres.iter().map(|s| Self { center: s.position, radii: [s.radius; 3] });
         let ellipsoids = scene.ellipsoids.iter().map(|e| Self { center: e.position, radii: e.radii });
@@ -87,7 +87,7 @@ impl Round {
         }
     }
 
-    /// Where a place lies from the centre, in the space where the object is a unit sphere, or a unit circle.
+    /// Returns the vector from the centre to a place, in the space where the object is a unit sphere or a unit circle.
     #[must_use]
     pub fn seen(&self, mut place: Triple) -> Triple {
         for ((place, center), radius) in place.iter_mut().zip(self.center).zip(self.radii) {

@@ -1,4 +1,4 @@
-//! The cases: what is known to break ray tracers, each as a scene with rays that go where it hurts.
+//! The cases: situations that are known to break ray tracers, each as a scene with rays that are aimed at them.
 
 use rta_scenes::description::{Camera, Cylinder, Description, Ellipsoid, Floor, Lamp, Sky, Sphere, Surface};
 
@@ -7,17 +7,17 @@ use super::aim::{Aim, Stand, Triple};
 /// One case.
 #[derive(Clone, Debug)]
 pub struct Case {
-    /// What it is called in the table.
+    /// Its name in the table.
     pub name: &'static str,
     /// The scene.
     pub scene: Description,
-    /// How far rays are followed.
+    /// Recursion depth.
     pub depth: u32,
-    /// Where the eye stands.
+    /// The position of the eye.
     pub stand: Stand,
-    /// Where the rays go.
+    /// The directions of the rays.
     pub aim: Aim,
-    /// One eye's ray stands for that many of the number asked for, where each casts that many of its own.
+    /// The number of rays that was asked for is divided by this, where each ray from the eye casts very many others.
     pub thinning: usize,
 }
 
@@ -83,7 +83,7 @@ impl Add for Description {
     }
 }
 
-/// All cases, each once.
+/// Returns all cases.
 #[must_use]
 #[allow(clippy::too_many_lines)] // it is a list
 pub fn all() -> Vec<Case> {

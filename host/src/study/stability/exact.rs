@@ -1,4 +1,4 @@
-//! What a format's numbers are, as `f64`: the reference is given the very numbers that the format was given.
+//! Numbers rounded to a format and read back as `f64`, so that the reference computes with the very numbers of the format.
 
 use rta_core::{Q16, Q20};
 use rta_scenes::description::{Description, Surface};

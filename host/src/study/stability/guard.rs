@@ -8,12 +8,12 @@ use std::sync::Once;
 /// Whether this build checks every operation and can go on after a panic; where it does not, a count of 0 says nothing.
 pub const CHECKED: bool = cfg!(debug_assertions) && cfg!(panic = "unwind");
 
-/// Why a computation did not end.
+/// Why a computation ended in a panic.
 #[derive(Clone, Debug)]
 pub struct Failure {
     /// Whether a number left its format, as opposed to anything else that panics.
     pub is_overflow: bool,
-    /// What the panic said, and where.
+    /// The message of the panic, and its place.
     pub message: String,
 }
 

@@ -58,7 +58,7 @@ fn measured<S: Exact>(case: &Case, samples: usize) -> Outcome {
     Outcome::Traced(measured)
 }
 
-/// The rays of one eye.
+/// Traces the rays of one eye.
 fn block<S: Exact>(
     case: &Case,
     scene: &Description,
@@ -73,7 +73,7 @@ fn block<S: Exact>(
     let (tested, exact) = (Side::new(&tested, case.depth, &rays)?, Side::new(&exact, case.depth, &unused)?);
     for i in 0..count {
         let (direction, twin) = directions::<S>(case.aim.draw(scene, rng), &tested, &exact);
-        // Both models, one after the other.
+        // The two models take turns.
         let traced = guarded(|| (tested.object(direction), tested.light(direction, i % 2 == 0)));
         let expected = guarded(|| (exact.object(twin), exact.light(twin, i % 2 == 0)));
         match (traced, expected) {
@@ -91,7 +91,7 @@ fn block<S: Exact>(
     Ok(())
 }
 
-/// A direction in the format, and the same in `f64`.
+/// Returns a direction in the format, and its exact value in `f64`.
 fn directions<S: Exact>(drawn: Drawn, tested: &Side<S>, exact: &Side<f64>) -> (UnitVec3<S>, UnitVec3<f64>) {
     match drawn {
         Drawn::Through(x, y) => {
@@ -107,8 +107,8 @@ fn directions<S: Exact>(drawn: Drawn, tested: &Side<S>, exact: &Side<f64>) -> (U
     }
 }
 
-/// How far the worst register is off on a display of 256 levels; nothing if one is no number. What `f64` still holds may be
-/// beyond `f32`, in which both arrive here.
+/// Returns how far the worst register is off on a display of 256 levels, or none if a register is not finite. Light that `f64`
+/// still holds may be beyond `f32`, to which both were converted.
 fn difference(got: Rgb<f32>, want: Rgb<f32>) -> Option<f64> {
     let levels = got.zip(want, |got, want| {
         let shown = |light: f32| f64::from(light).clamp(0.0, 1.0) * LEVELS;
@@ -117,7 +117,7 @@ fn difference(got: Rgb<f32>, want: Rgb<f32>) -> Option<f64> {
     Some(levels.r?.max(levels.g?).max(levels.b?))
 }
 
-/// A scene in one format with its two tracers.
+/// A scene in one format with a tracer for each of the two models (see [`stability`](super)).
 struct Side<'a, S: Scalar> {
     scene: &'a Narrowed<S>,
     admitted: Admitted<'a, S>,

@@ -1,13 +1,13 @@
-//! What the rays of one case in one format came to: counts and errors.
+//! The outcome of one case in one format: counts and errors.
 
 use super::guard::Failure;
 
-/// What a case did in a format.
+/// The outcome of a case in a format.
 #[derive(Clone, Debug)]
 pub enum Outcome {
     /// The format does not admit the scene: the reason.
     Refused(String),
-    /// It was traced.
+    /// The scene was traced.
     Traced(Measured),
 }
 
@@ -24,28 +24,28 @@ pub struct Measured {
     pub overflows: u64,
     /// Lights with a register that is not finite.
     pub non_finite: u64,
-    /// Points of a convex object on its own that see themselves.
+    /// Points of a lone convex object that shadow themselves.
     pub acne: Acne,
-    /// Eye rays that meet something else than in `f64`, or something instead of nothing.
+    /// Rays from the eye that hit another object than in `f64`, or hit where they should miss, or miss where they should hit.
     pub wrong: u64,
-    /// How far the worst register is from `f64`, in levels of 255: the median of the rays that meet the same.
+    /// Median difference of a ray's worst register from `f64`, in levels of 255, over the rays that hit the same object.
     pub median: f64,
-    /// The same for the worst hundredth.
+    /// Difference in levels of 255 that one ray in a hundred exceeds.
     pub p99: f64,
-    /// The same for the worst ray.
+    /// Difference of the worst ray, in levels of 255.
     pub worst: f64,
-    /// What the first panic or overflow said.
+    /// Message of the first panic or overflow.
     pub failure: Option<String>,
 }
 
 impl Measured {
-    /// Whether nothing happened that must not.
+    /// Returns whether there was no panic, overflow, non-finite light or acne.
     #[must_use]
     pub fn is_sound(&self) -> bool {
         self.panics == 0 && self.overflows == 0 && self.non_finite == 0 && self.acne.points == 0
     }
 
-    /// Takes note of a panic.
+    /// Counts a panic or an overflow.
     pub fn failed(&mut self, failure: Failure) {
         if failure.is_overflow {
             self.overflows += 1;
@@ -63,7 +63,7 @@ impl Measured {
     }
 }
 
-/// What the search found.
+/// Counts of the search for acne.
 #[derive(Clone, Debug, Default)]
 pub struct Acne {
     /// Points with acne.

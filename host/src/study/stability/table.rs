@@ -4,9 +4,9 @@ use super::Row;
 use super::guard::CHECKED;
 use super::measure::{Measured, Outcome};
 
-/// Begins the part of a Markdown file that [`into_markdown`] owns.
+/// Marks the beginning of the part of a Markdown file that [`into_markdown`] replaces.
 const BEGIN: &str = "<!-- `rta stability -o` writes from here -->";
-/// Ends it.
+/// Marks its end.
 const END: &str = "<!-- to here -->";
 
 const HEADS: [&str; 12] = [
@@ -24,7 +24,7 @@ const HEADS: [&str; 12] = [
     "of rays",
 ];
 
-/// The columns after case and format.
+/// Returns the cells after case and format.
 fn cells(measured: &Measured) -> [String; 10] {
     let count = |n: u64| if CHECKED || n > 0 { n.to_string() } else { "?".into() };
     let levels = |error: f64| if error == 0.0 { "0".into() } else { format!("{error:.4}") };
@@ -42,7 +42,7 @@ fn cells(measured: &Measured) -> [String; 10] {
     ]
 }
 
-/// What a row says: the cells of a case that was traced, or why it was not.
+/// Returns the case and format of a row, and its cells, or why the case was refused.
 fn line(row: &Row) -> (String, String, Result<[String; 10], String>) {
     let cells = match &row.outcome {
         Outcome::Traced(measured) => Ok(cells(measured)),
@@ -51,7 +51,7 @@ fn line(row: &Row) -> (String, String, Result<[String; 10], String>) {
     (row.case.to_owned(), row.format.to_string(), cells)
 }
 
-/// The table with aligned columns.
+/// Returns the table as text with aligned columns.
 #[must_use]
 pub fn text(rows: &[Row]) -> String {
     let lines: Vec<_> = rows.iter().map(line).collect();
@@ -86,7 +86,7 @@ pub fn text(rows: &[Row]) -> String {
     text + &failures(rows, "")
 }
 
-/// What the first panics said, and the first points with acne.
+/// Returns a list of the messages of the first panics and of the first points with acne.
 fn failures(rows: &[Row], bullet: &str) -> String {
     let mut text = String::new();
     for Row { case, format, outcome } in rows {
@@ -98,7 +98,7 @@ fn failures(rows: &[Row], bullet: &str) -> String {
     if text.is_empty() { text } else { format!("\n{text}") }
 }
 
-/// The same as Markdown.
+/// Returns the table in Markdown.
 #[must_use]
 pub fn markdown(rows: &[Row]) -> String {
     let mut text = format!("| {} |\n|{}\n", HEADS.join(" | "), " --- |".repeat(HEADS.len()));
@@ -113,7 +113,7 @@ pub fn markdown(rows: &[Row]) -> String {
     text + &failures(rows, "- ")
 }
 
-/// `file` with `part` in the place that is marked for it: between the marks, or at the end if there are none.
+/// Returns the text of `file` with `part` in the place that is marked for it: between the marks, or at the end if there are none.
 #[must_use]
 pub fn into_markdown(file: &str, part: &str) -> String {
     let marked = format!("{BEGIN}\n{part}{END}\n");
