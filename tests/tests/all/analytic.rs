@@ -1,4 +1,4 @@
-//! Where the answer is known from a formula, in every number format.
+//! Pictures whose radiance is known from a formula, in every number format.
 
 use rta_core::Q16;
 use rta_core::camera::{Camera, Lens};
@@ -47,12 +47,12 @@ const WHITE: [f64; 3] = [1.0; 3];
 const RADIANCE: &str = "of white";
 const COSINE: &str = "of a unit vector's component";
 
-/// A few roundings of places some ten units away, and of light.
+/// Returns a few roundings of places some ten units away, and of radiance.
 fn tolerance<S: Measure>() -> f64 {
     8.0 * (S::LENGTH + S::LIGHT)
 }
 
-/// Nothing, in the dark.
+/// Returns an empty scene without any light.
 fn dark<S: Measure>() -> Scene<'static, S> {
     Scene {
         floor: None,
@@ -109,7 +109,7 @@ fn assert_light<S: Measure>(got: [f64; 3], want: [f64; 3], case: &str) {
     }
 }
 
-/// The trait's own numbers, so that an `Rgb` of every format is what the tests read.
+/// The conversions that all of these tests go through.
 #[test]
 fn what_is_read_is_what_was_written() {
     let color: Rgb<<Q16 as rta_core::Scalar>::Light> = light::<Q16>([0.25, 3.5, 100.0]);
