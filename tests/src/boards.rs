@@ -1,4 +1,5 @@
-//! The boards under emulation: which there are, how their images are built and booted, and the pictures that they must draw.
+//! The boards under emulation: which there are, how their images are built and booted, and the pictures that they must
+//! draw.
 //!
 //! The images are the packages of `tests/boards`. They are built with one scene, number format and set of needs each,
 //! run in an emulator, and what they drew is compared byte for byte with what the engine draws here.

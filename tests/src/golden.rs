@@ -80,8 +80,8 @@ impl Indexed {
     }
 }
 
-/// Returns the request for a golden picture: the whole screen of a device, the thesis's model, the adaptive colour table,
-/// depth 5.
+/// Returns the request for a golden picture: the whole screen of a device, the thesis's model, the adaptive colour
+/// table, depth 5.
 #[must_use]
 pub fn request(device: Device, format: Format) -> Request {
     Request {

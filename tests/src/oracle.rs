@@ -21,8 +21,8 @@ const TILE: f64 = 3.0;
 /// A hit that is nearer than this share of the scene's size is taken for the surface that the ray leaves.
 const SELF_HIT: f64 = 1e-10;
 
-/// Returns a picture of `width` x `height` pixels for a screen of shape `aspect` : 1, in linear RGB that is not clamped,
-/// row by row from the top; nothing if the direction of view is zero. A ray of depth `depth` spawns no other.
+/// Returns a picture of `width` x `height` pixels for a screen of shape `aspect` : 1, in linear RGB that is not
+/// clamped, row by row from the top; nothing if the direction of view is zero. A ray of depth `depth` spawns no other.
 #[must_use]
 pub fn render(scene: &Description, width: usize, height: usize, aspect: f64, depth: u32) -> Vec<Color> {
     let Some(forward) = scene.camera.direction() else { return Vec::new() };

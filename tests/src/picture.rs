@@ -4,8 +4,8 @@ use rta::engine::{Engine, EngineError, Format, Settings};
 use rta_core::color::Rgb;
 use rta_scenes::description::Description;
 
-/// Returns the settings that the specification states its figures for: 320 x 200 pixels, as a PS/2 has them, on a screen
-/// of 4 : 3, with the thesis's model and depth 5.
+/// Returns the settings that the specification states its figures for: 320 x 200 pixels, as a PS/2 has them, on a
+/// screen of 4 : 3, with the thesis's model and depth 5.
 pub fn settings(format: Format) -> Settings {
     Settings { format, ..Settings::default() }
 }
@@ -21,8 +21,8 @@ pub fn render(scene: &Description, settings: &Settings) -> Result<Vec<[f64; 3]>,
     Ok(rows.iter().map(|p| [p.r, p.g, p.b].map(f64::from)).collect())
 }
 
-/// Returns the share of pixels, in a hundred, that are within `tolerance` of each other in every register, both pictures
-/// clamped to [0, 1].
+/// Returns the share of pixels, in a hundred, that are within `tolerance` of each other in every register, both
+/// pictures clamped to [0, 1].
 ///
 /// # Panics
 /// The pictures have different numbers of pixels.

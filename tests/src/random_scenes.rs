@@ -1,5 +1,5 @@
-//! Scenes that are hard on a tracer and yet fair: no coincident surfaces, everything within 50 units of the origin, most
-//! pixels between black and white, and no length that Q16.16 cannot hold.
+//! Scenes that are hard on a tracer and yet fair: no coincident surfaces, everything within 50 units of the origin,
+//! most pixels between black and white, and no length that Q16.16 cannot hold.
 //!
 //! They come from a seeded generator and do not change from run to run.
 

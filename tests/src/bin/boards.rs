@@ -18,8 +18,8 @@ use rta_tests::boards::{Failure, folder};
 
 /// Boots the boards under emulation and compares what they draw with the engine, byte for byte
 ///
-/// The status is 1 where anything differs or fails. A board whose emulator or compiler is missing is skipped and counted;
-/// where the environment has CI, that is a failure. `tests/boards/setup` installs what Debian offers.
+/// The status is 1 where anything differs or fails. A board whose emulator or compiler is missing is skipped and
+/// counted; where the environment has CI, that is a failure. `tests/boards/setup` installs what Debian offers.
 #[derive(Parser)]
 struct Args {
     /// Boards [default: all]
@@ -115,8 +115,8 @@ fn ready(board: &Board) -> Result<Toolchain, Failure> {
 /// A picture to be drawn: the board, the compiler of its image, and the picture.
 type Job = (Board, Toolchain, Picture);
 
-/// Does all jobs, each in its board's target folder. One thread works through each folder, so that two targets are built
-/// at once, and an image runs while one of the other folder is built.
+/// Does all jobs, each in its board's target folder. One thread works through each folder, so that two targets are
+/// built at once, and an image runs while one of the other folder is built.
 fn work(jobs: &[Job], args: &Args) -> (Vec<Row>, Vec<String>) {
     let finished = AtomicUsize::new(0);
     let one = |(board, toolchain, picture): &Job| {

@@ -228,8 +228,8 @@ const SCENES: [(&str, &str); 4] = [
 pub const TARGET_FOLDERS: usize = 2;
 
 impl Board {
-    /// Returns the number of the target folder, below [`TARGET_FOLDERS`], that the board's images are built in. Each target
-    /// has one folder, so that its `core` is built once only, and each folder gets about half of the work.
+    /// Returns the number of the target folder, below [`TARGET_FOLDERS`], that the board's images are built in. Each
+    /// target has one folder, so that its `core` is built once only, and each folder gets about half of the work.
     #[must_use]
     pub fn target_folder(&self) -> usize {
         usize::from(matches!(self.name, "mps2-an386" | "riscv" | "sparc" | "wasm"))

@@ -1,4 +1,5 @@
-//! The footprint table: memory and instructions of each image, as the boards reported them, compared with those recorded.
+//! The footprint table: memory and instructions of each image, as the boards reported them, compared with those
+//! recorded.
 
 use core::fmt::Write;
 

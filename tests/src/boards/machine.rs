@@ -66,7 +66,8 @@ impl Running {
     }
 }
 
-/// Runs an image and returns its picture and reports; `room` is an empty folder for the files that are written meanwhile.
+/// Runs an image and returns its picture and reports; `room` is an empty folder for the files that are written
+/// meanwhile.
 ///
 /// # Errors
 /// The emulator cannot be started, the board reports a failure, or it says nothing for ten minutes.
@@ -109,8 +110,8 @@ fn streamed(mut command: Command, room: &Path) -> Result<Outcome, Failure> {
     })
 }
 
-/// Returns the colour table after a sequence of loads, each of which is the first entry, the number of colours less 1, and
-/// the colours.
+/// Returns the colour table after a sequence of loads, each of which is the first entry, the number of colours less 1,
+/// and the colours.
 fn table(mut loads: &[u8]) -> Result<Vec<Rgb<u8>>, Failure> {
     let mut colors = Vec::new();
     while let [first, less, rest @ ..] = loads {

@@ -30,7 +30,8 @@ pub struct Row {
 }
 
 impl Row {
-    /// Builds, boots and compares one picture; writes the files that the board wrote into a folder of `keep`, if there is one.
+    /// Builds, boots and compares one picture; writes the files that the board wrote into a folder of `keep`, if there
+    /// is one.
     ///
     /// # Errors
     /// The compiler's and the emulator's, and whatever is not as it must be.

@@ -1,5 +1,6 @@
 //! Pictures whose radiance is known from a formula, in every number format.
 
+use rta::engine::MAX_DEPTH;
 use rta_core::Q16;
 use rta_core::camera::{Camera, Lens};
 use rta_core::color::Rgb;
@@ -91,7 +92,9 @@ fn see<S: Measure>(
     let (eye, towards) = (place::<S>(eye), direction::<S>(towards));
     let camera = Camera::new(eye, towards, Lens::new(1, 1, (1, 1)));
     let admitted = scene.admit(&camera).expect("the scene fits");
-    let tracer: Tracer<_, _, Everything, 16> = Tracer::new(admitted, model, depth).expect("it is no deeper");
+    // With the engine's stack the engine's tracers are linked, not compiled anew.
+    let tracer: Tracer<_, _, Everything, { MAX_DEPTH as usize }> =
+        Tracer::new(admitted, model, depth).expect("it is no deeper");
     read_light::<S>(tracer.radiance(eye, towards))
 }
 

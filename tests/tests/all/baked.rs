@@ -1,5 +1,5 @@
-//! Baked scenes: the modules that `build.rs` has made of scene files hold the scenes that are read and narrowed here, and
-//! are drawn as the engine draws them.
+//! Baked scenes: the modules that `build.rs` has made of scene files hold the scenes that are read and narrowed here,
+//! and are drawn as the engine draws them.
 
 use rta::engine::{Engine, Format, Model, Settings};
 use rta_core::camera::Camera;

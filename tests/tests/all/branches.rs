@@ -1,5 +1,5 @@
-//! Rounding errors told from flipped branches: hardly any pixel's ray tree takes another branch than in f64, and where all
-//! branches are those of f64, only rounding is left, which is at most one level of a gun.
+//! Rounding errors told from flipped branches: hardly any pixel's ray tree takes another branch than in f64, and where
+//! all branches are those of f64, only rounding is left, which is at most one level of a gun.
 //!
 //! A few pixels of the hall are beyond that rule in any number format: after three reflections in small convex mirrors
 //! a step of one last place in the scene's own numbers moves them by several levels, in f64 as well. There are hardly

@@ -2,7 +2,7 @@
 //! are those of `f64` outside a margin about the silhouette, no convex object is met again by a ray that leaves it,
 //! refraction obeys Snell's law and reflection keeps lengths. Bounds are counted in roundings of the format.
 
-#![allow(clippy::indexing_slicing)] // arrays of three
+#![allow(clippy::indexing_slicing, reason = "arrays of three")]
 
 use core::f64::consts::TAU;
 use core::fmt::Debug;
@@ -173,8 +173,8 @@ fn ray<S: Measure>(aimed: &Aimed) -> Ray<S> {
     Ray::new::<Everything>(place::<S>(aimed.origin), direction::<S>(aimed.direction))
 }
 
-/// Returns whether the ray hits according to `f64`, from the numbers as the format has rounded them; nothing where it is
-/// too close to say.
+/// Returns whether the ray hits according to `f64`, from the numbers as the format has rounded them; nothing where it
+/// is too close to say.
 fn expected<S: Measure>(aimed: &Aimed, ray: &Ray<S>, margin: f64) -> Option<bool> {
     let origin = read::<S>(ray.origin);
     let mut d = read_direction::<S>(ray.direction);

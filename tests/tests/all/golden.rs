@@ -11,9 +11,9 @@ use rta_tests::picture::share_within;
 /// On the two large screens, one row of so many is compared between the formats.
 const STRIDE: u32 = 9;
 
-/// Differences of linear light between floats and fixed point, clamped to what a display shows, each with the least share
-/// of pixels in a hundred that is within it: a level of the VGA's guns, and one of the PIXRECT's. The other pixels are
-/// edges, where a rounding decides which object is hit.
+/// Differences of linear light between floats and fixed point, clamped to what a display shows, each with the least
+/// share of pixels in a hundred that is within it: a level of the VGA's guns, and one of the PIXRECT's. The other
+/// pixels are edges, where a rounding decides which object is hit.
 const TOLERANCES: [(f64, f64); 2] = [(1.0 / 63.0, 99.8), (1.0 / 255.0, 99.5)];
 
 fn golden(name: &str, device: Device) {

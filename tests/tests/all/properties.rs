@@ -1,7 +1,7 @@
-//! Every scene that a format admits is drawn: without a panic in builds that check every operation, and with finite light
-//! that is never negative.
+//! Every scene that a format admits is drawn: without a panic in builds that check every operation, and with finite
+//! light that is never negative.
 
-#![allow(clippy::indexing_slicing)] // arrays of three
+#![allow(clippy::indexing_slicing, reason = "arrays of three")]
 
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;

@@ -1,5 +1,7 @@
 //! Several samples a pixel, and a cut-off: the places and the mean of samples, and the pictures that they change.
 
+#![allow(clippy::indexing_slicing, reason = "a test may panic")]
+
 use rta::engine::{Engine, Format, Settings};
 use rta::sampling::Cutoff;
 use rta_core::color::Rgb;

@@ -1,5 +1,5 @@
-//! Single rays at single objects, against f64 on the numbers as the format has rounded them: the errors of the arithmetic
-//! alone.
+//! Single rays at single objects, against f64 on the numbers as the format has rounded them: the errors of the
+//! arithmetic alone.
 //!
 //! Rays go from a place at a distance to a place on a disc that is slightly wider than the silhouette, so grazing ones
 //! are among them. Two distances are compared with the exact root: that of the search, `intersect`, and that of the
@@ -88,9 +88,9 @@ fn viewpoint(rng: &mut Rng, distance: f64, flat: bool) -> ([f64; 3], [f64; 3]) {
     (along(center, v, distance / dot(v, v).sqrt()), center)
 }
 
-/// Returns the place that a ray from `origin` is aimed at: on the disc through the centre that faces the eye, in the space
-/// where the object is a sphere of radius 1 (an affine map takes silhouettes to silhouettes); for a cylinder, on the line
-/// across it.
+/// Returns the place that a ray from `origin` is aimed at: on the disc through the centre that faces the eye, in the
+/// space where the object is a sphere of radius 1 (an affine map takes silhouettes to silhouettes); for a cylinder, on
+/// the line across it.
 fn aim(rng: &mut Rng, target: Target, origin: [f64; 3], center: [f64; 3]) -> [f64; 3] {
     let radii = match target {
         Target::Sphere(radius) => [radius; 3],
@@ -224,8 +224,8 @@ fn check(cases: &[Case]) {
 
 /// In fixed point the difference of two places is exact and the second look rounds the distance once: an LSB over the
 /// root of 12, whatever the distance. In f32 that difference is rounded to the size of the coordinates, and it shows.
-/// Wrong hits and misses are those of the search: its foot point is rounded to an LSB, which is a larger part of a small
-/// radius.
+/// Wrong hits and misses are those of the search: its foot point is rounded to an LSB, which is a larger part of a
+/// small radius.
 #[test]
 fn spheres() {
     let ball = Target::Sphere(1.0);
@@ -237,9 +237,9 @@ fn spheres() {
     ]);
 }
 
-/// Axes of 1 : 1000, a coin and a needle. The ray is looked at from beside the centre with the largest radius as the unit
-/// and then squashed, in units of 2^-30: a thin axis of 0.001 keeps 20 bits of its size. What is lost along a ray that
-/// runs in the plane of a coin comes back divided by the squashed direction's length, so the bounds are those of
+/// Axes of 1 : 1000, a coin and a needle. The ray is looked at from beside the centre with the largest radius as the
+/// unit and then squashed, in units of 2^-30: a thin axis of 0.001 keeps 20 bits of its size. What is lost along a ray
+/// that runs in the plane of a coin comes back divided by the squashed direction's length, so the bounds are those of
 /// spheres, not smaller, though the search already has the second look's precision.
 #[test]
 fn ellipsoids() {

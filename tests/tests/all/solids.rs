@@ -1,5 +1,5 @@
-//! Cones and triangles against a walk along the ray in f64: where the walk goes through a surface there must be a hit, and
-//! where a hit is, there must be the surface, with its normal.
+//! Cones and triangles against a walk along the ray in f64: where the walk goes through a surface there must be a hit,
+//! and where a hit is, there must be the surface, with its normal.
 
 #![allow(clippy::indexing_slicing, reason = "a test may panic")]
 
@@ -87,7 +87,8 @@ impl<'a> Profile<'a> {
         let way = minus(cone.apex, cone.base);
         Self(cone, unit(way), dot(way, way).sqrt())
     }
-    /// Returns a place's height over the base, and how far it is outside of the cone's side, at right angles to the axis.
+    /// Returns a place's height over the base, and how far it is outside of the cone's side, at right angles to the
+    /// axis.
     fn at(&self, p: Triple) -> (f64, f64) {
         let from = minus(p, self.0.base);
         let z = dot(from, self.1);

@@ -1,7 +1,7 @@
 //! Hashes of the linear light of small pictures, which tell whether a change of the code has changed a picture.
 //!
-//! The pictures are traced as `rta render --device none --fit --size 46x35 --aspect 4:3` traces them, and hashed bit for
-//! bit in their own number format, before any rounding to levels.
+//! The pictures are traced as `rta render --device none --fit --size 46x35 --aspect 4:3` traces them, and hashed bit
+//! for bit in their own number format, before any rounding to levels.
 
 use rta::engine::{Format, MAX_DEPTH, Model};
 use rta_core::color::Rgb;

@@ -1,5 +1,7 @@
 //! The sky, the tiles of the floor, and a shadow on it.
 
+#![allow(clippy::indexing_slicing, reason = "arrays of three")]
+
 use rta_core::illumination::Rta;
 use rta_core::material::Material;
 use rta_core::scene::{Scene, Sky};
@@ -30,8 +32,8 @@ fn sky<S: Measure>() {
     }
 }
 
-/// The edge of a sphere's shadow on the floor is where the cone from the lamp around the sphere meets the floor: a circle
-/// below the lamp, an ellipse aside of it.
+/// The edge of a sphere's shadow on the floor is where the cone from the lamp around the sphere meets the floor: a
+/// circle below the lamp, an ellipse aside of it.
 fn shadow_of_a_sphere<S: Measure>() {
     let (center, radius) = ([0.0, 0.0, 5.0], 1.0);
     let eye = [14.0, -17.0, 2.5];

@@ -1,5 +1,7 @@
 //! Mirrors and glass: Snell's law, total reflection, and where the light goes.
 
+#![allow(clippy::indexing_slicing, reason = "arrays of three")]
+
 use rta_core::illumination::{Rta, Surface};
 use rta_core::material::Material;
 use rta_core::scene::{Scene, Sky};
@@ -14,8 +16,8 @@ in_every_format! {
     snell total_internal_reflection nothing_leaves_beyond_the_critical_angle mirror glass_keeps_all_light
 }
 
-/// Returns the direction in which a ray goes on that falls at `degrees` on a horizontal face of glass; nothing where it is
-/// totally reflected.
+/// Returns the direction in which a ray goes on that falls at `degrees` on a horizontal face of glass; nothing where it
+/// is totally reflected.
 fn refracted<S: Measure>(degrees: f64, ior: f64, inside: bool) -> Option<[f64; 3]> {
     let (sine, cosine) = degrees.to_radians().sin_cos();
     let glass = glass::<S>(0.0, ior);

@@ -1,5 +1,7 @@
 //! Direct and ambient light on a surface, in each model.
 
+#![allow(clippy::indexing_slicing, reason = "arrays of three")]
+
 use rta_core::illumination::{Illumination, Rta, Whitted};
 use rta_core::light::Incident;
 use rta_core::material::Material;
@@ -122,8 +124,8 @@ fn attenuation<S: Measure>() {
     }
 }
 
-/// Within 13 degrees of the reflected ray a lamp is seen with its full intensity, whatever its distance and the surface's
-/// colour.
+/// Within 13 degrees of the reflected ray a lamp is seen with its full intensity, whatever its distance and the
+/// surface's colour.
 fn glint<S: Measure>() {
     let (tint, intensity, ambient) = ([0.9, 0.5, 0.1], [0.8, 0.4, 0.6], [0.1, 0.2, 0.3]);
     for (offset, inside) in [(0.0_f64, true), (12.95, true), (-12.95, true), (13.05, false), (-13.05, false)]
