@@ -1,5 +1,5 @@
-//! Bakes the scenes of `tests/baked.rs`. A firmware's build script is one call of `bake`, as the first here: this one
-//! needs the same scene in several formats, so it gives the other files names of its own.
+//! Bakes the scenes of the tests in `tests/all/baked.rs`. A firmware's build script is one call of `bake`, as the first
+//! below; here a scene is baked in several formats, so the other files are written under names of their own.
 
 use core::error::Error;
 use std::env;
@@ -24,14 +24,14 @@ fn main() -> Result<(), Box<dyn Error>> {
             write(&format!("{name}_{suffix}"), file, &Recipe::new(format))?;
         }
     }
-    // A program that traces no ray but the eye's; one with the other model; one in the reference's format.
+    // A scene without secondary rays, and one with another model.
     write("opaque_q16", "boards/scenes/opaque.dat", &Recipe::new(Format::Q16))?;
     write(
         "whitted_q16",
         "../scenes/hall-22.dat",
         &Recipe { model: Model::Whitted, ..Recipe::new(Format::Q16) },
     )?;
-    // Boxes, triangles and cones; firmware has the boxes only where there are many objects.
+    // Triangles, cones, and a hierarchy, which is baked only where there are many objects.
     for (suffix, format) in [("q16", Format::Q16), ("f32", Format::F32)] {
         let recipe = Recipe { model: Model::Whitted, ..Recipe::new(format) };
         write(&format!("solids_{suffix}"), "scenes/solids.nff", &recipe)?;

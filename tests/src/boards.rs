@@ -1,4 +1,5 @@
-//! The boards under emulation: what there is, how it is built and booted, and what must come of it.
+//! The boards under emulation: which there are, how their images are built and booted, and the pictures that they must
+//! draw.
 //!
 //! The images are the packages of `tests/boards`. They are built with one scene, number format and set of needs each,
 //! run in an emulator, and what they drew is compared byte for byte with what the engine draws here.
@@ -16,11 +17,11 @@ pub mod toolchain;
 
 use std::path::PathBuf;
 
-/// The folder of the boards' packages.
+/// Returns the folder of the boards' packages.
 #[must_use]
 pub fn folder() -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("boards")
 }
 
-/// What goes wrong, in words.
+/// An error of any kind.
 pub type Failure = Box<dyn core::error::Error + Send + Sync>;

@@ -1,7 +1,7 @@
-//! One way to say that a number is near another.
+//! The assertion that a number is near another.
 
-/// Asserts that `got` is within `tolerance` of `want` on either side, all three in the unit that `unit` names. What
-/// is not finite is near nothing. More arguments are a format string with its arguments that says which case it is.
+/// Asserts that `got` is within `tolerance` of `want` on either side, all three in the unit that `unit` names. A number
+/// that is not finite is near no other. Further arguments are a format string and its arguments, which name the case.
 ///
 /// ```
 /// rta_tests::assert_close!(2.0_f64.sqrt(), 1.4142, 1e-4, "of a length");

@@ -1,4 +1,4 @@
-//! Pictures in fixed point, bit by bit.
+//! Pictures in Q16.16, bit by bit, with any illumination model and set of needs.
 
 use core::sync::atomic::AtomicBool;
 
@@ -18,13 +18,13 @@ use rta_scenes::{dat, shipped};
 /// The light of a pixel as the bits of its three Q16.16 registers.
 pub type Bits = Rgb<i32>;
 
-/// Depth of rays where nothing else is said.
+/// Recursion depth of pictures for which a test states no other.
 pub const DEPTH: u32 = 5;
 
-/// Capacity of the ray stack here.
+/// Capacity of the stack of pending rays: the program's, so that tracers are compiled once.
 const STACK: usize = 32;
 
-/// Everything, without any search: objects are tried one after the other.
+/// All needs but a search: each ray is tried with one object after the other.
 #[derive(Debug)]
 pub struct OneByOne;
 
@@ -33,7 +33,7 @@ impl Needs for OneByOne {
     const BOXES: bool = false;
 }
 
-/// A scene in Q16.16 and the raster to draw it on.
+/// A scene in Q16.16, and the raster that it is drawn on.
 #[derive(Debug)]
 pub struct Exact {
     scene: Narrowed<Q16>,
@@ -41,29 +41,29 @@ pub struct Exact {
 }
 
 impl Exact {
-    /// A scene as it is seen on a 4 : 3 screen of `width` x `height` pixels.
+    /// Makes a scene ready to be drawn on a 4 : 3 screen of `width` x `height` pixels.
     ///
     /// # Panics
-    /// Where the scene does not fit Q16.16 or the raster is none: these are scenes made for tests.
+    /// The scene does not fit Q16.16, or a side of the raster is 0.
     #[must_use]
     pub fn new(scene: &Description, width: u32, height: u32) -> Self {
         let scene = narrow::<Q16>(scene, 4.0 / 3.0).expect("the scene fits Q16.16");
         Self { scene, raster: Raster::new(width, height).expect("a raster") }
     }
 
-    /// The same scene, searched as firmware does it.
+    /// Returns a copy of the scene that is searched as firmware searches it.
     #[must_use]
     pub fn without_lanes(&self, scene: &Description) -> Self {
         Self { scene: self.scene.clone().without_lanes(scene), raster: self.raster }
     }
 
-    /// The scene in its format.
+    /// Returns the scene in its number format.
     #[must_use]
     pub const fn scene(&self) -> &Narrowed<Q16> {
         &self.scene
     }
 
-    /// The rows from `first` on that fill `out`, with any model and needs.
+    /// Draws as many pixels as `out` holds, from the row `first` on, row by row.
     ///
     /// # Errors
     /// Those of [`Tracer::new`] and of the range check.
@@ -83,17 +83,17 @@ impl Exact {
         Ok(())
     }
 
-    /// The whole picture.
+    /// Returns the whole picture, row by row.
     ///
     /// # Errors
-    /// As [`Exact::rows`].
+    /// Those of [`Exact::rows`].
     pub fn picture<M: Illumination<Q16>, N: Needs>(&self, model: M, depth: u32) -> Result<Vec<Bits>, Error> {
         let mut pixels = vec![Bits::default(); self.pixels()];
         self.rows::<M, N>(model, depth, 0, &mut pixels)?;
         Ok(pixels)
     }
 
-    /// The whole picture in the thesis's model, by as many threads as are asked for.
+    /// Returns the whole picture in the thesis's model, drawn by this number of threads.
     ///
     /// # Errors
     /// Those of the threads and of the bands.
@@ -110,19 +110,19 @@ impl Exact {
         Ok(pixels)
     }
 
-    /// Number of pixels.
+    /// Returns the number of pixels.
     #[must_use]
     pub const fn pixels(&self) -> usize {
         self.raster.width() as usize * self.raster.height() as usize
     }
 
-    /// Pixels in a row.
+    /// Returns the number of pixels in a row.
     #[must_use]
     pub const fn columns(&self) -> usize {
         self.raster.width() as usize
     }
 
-    /// The eye's coordinates as bits, to tell scenes apart in messages.
+    /// Returns the eye's coordinates as the bits of the format, to tell scenes apart in messages.
     #[must_use]
     pub fn eye(&self) -> [i32; 3] {
         let eye = self.scene.camera.eye;
@@ -130,10 +130,10 @@ impl Exact {
     }
 }
 
-/// A scene that comes with rta, by its name without extension.
+/// Returns a scene that comes with rta, by its name without extension.
 ///
 /// # Panics
-/// Where there is none of that name.
+/// There is none of that name.
 #[must_use]
 pub fn shipped_scene(name: &str) -> Description {
     let file = format!("{name}.dat");
@@ -141,14 +141,14 @@ pub fn shipped_scene(name: &str) -> Description {
     dat::read(text.as_bytes(), &file).expect("a shipped scene is well formed")
 }
 
-/// FNV-1a, 64 bits (Fowler, Noll and Vo).
+/// Returns the FNV-1a hash of 64 bits (Fowler, Noll and Vo; RFC 9923).
 pub fn fnv1a(bytes: impl IntoIterator<Item = u8>) -> u64 {
     bytes.into_iter().fold(0xcbf2_9ce4_8422_2325, |hash, byte| {
         (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3)
     })
 }
 
-/// [`fnv1a`] of a picture: red, green, blue, each four bytes, little endian.
+/// Returns [`fnv1a`] of a picture: red, green and blue of each pixel, four bytes each, little endian.
 #[must_use]
 pub fn hash(pixels: &[Bits]) -> u64 {
     fnv1a(pixels.iter().flat_map(|p| [p.r, p.g, p.b]).flat_map(i32::to_le_bytes))

@@ -1,8 +1,7 @@
 //! Golden pictures: what the three devices showed when somebody last looked at it and found it right.
 //!
-//! A golden picture is an indexed PNG with the device's colour table. It is compared as bytes of indices and of the
-//! table, not as a file, so that another compression of the same picture is no difference. To renew them all after a
-//! change that is meant:
+//! A golden picture is an indexed PNG with the device's colour table. Indices and table are compared byte for byte, but
+//! not the files, so that it may be compressed in another way. To record them all anew after a change that is meant:
 //!
 //! ```text
 //! RTA_BLESS=1 cargo test -p rta-tests --test all golden
@@ -29,24 +28,24 @@ use rta_core::color::Rgb;
 
 use crate::exact::shipped_scene;
 
-/// Indices and colour table (8 bits a gun) of a picture.
+/// A picture as indices into a colour table of 8 bits a gun.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Indexed {
     /// Pixels in a row.
     pub width: u32,
-    /// Rows.
+    /// Number of rows.
     pub height: u32,
-    /// The table.
+    /// The colour table.
     pub palette: Vec<Rgb<u8>>,
-    /// The pixels.
+    /// An index for each pixel, row by row.
     pub indices: Vec<u8>,
 }
 
 impl Indexed {
-    /// Of a picture that a device showed.
+    /// Returns the indices and the table of a picture that a device showed.
     ///
     /// # Panics
-    /// Where it has no table.
+    /// The picture has no table.
     #[must_use]
     pub fn of(picture: &Displayed) -> Self {
         let Pixels::Indexed { palette, indices } = &picture.pixels else { panic!("a device has a table") };
@@ -57,7 +56,7 @@ impl Indexed {
     /// Reads an indexed PNG.
     ///
     /// # Errors
-    /// What the file is instead.
+    /// The file is no PNG with indices of 8 bits, or the picture is too large.
     pub fn read(source: impl std::io::BufRead + std::io::Seek) -> Result<Self, Box<dyn core::error::Error>> {
         let mut reader = png::Decoder::new(source).read_info()?;
         let info = reader.info();
@@ -73,7 +72,7 @@ impl Indexed {
         Ok(Self { width, height, palette, indices })
     }
 
-    /// The colours of the pixels.
+    /// Returns the colours of the pixels, row by row.
     #[must_use]
     pub fn colors(&self) -> Vec<Rgb<u8>> {
         let color = |&index: &u8| self.palette.get(usize::from(index)).copied().unwrap_or_default();
@@ -81,7 +80,7 @@ impl Indexed {
     }
 }
 
-/// What a picture of a shipped scene on a device is asked for with: the whole screen, the thesis's model and colour
+/// Returns the request for a golden picture: the whole screen of a device, the thesis's model, the adaptive colour
 /// table, depth 5.
 #[must_use]
 pub fn request(device: Device, format: Format) -> Request {
@@ -96,13 +95,13 @@ pub fn request(device: Device, format: Format) -> Request {
     }
 }
 
-/// A shipped scene as the program has it.
+/// Returns a shipped scene, by its name without extension.
 #[must_use]
 pub fn scene(name: &str) -> Scene {
     Scene { source: format!("{name}.dat"), title: name.into(), description: shipped_scene(name) }
 }
 
-/// Draws a shipped scene on a device, in fixed point.
+/// Draws a shipped scene on a device in Q16.16, by one thread.
 ///
 /// # Errors
 /// Those of [`Work`].
@@ -111,11 +110,11 @@ pub fn draw(name: &str, device: Device) -> Result<Displayed, Error> {
     Work::new(&request, &scene, Some(1), &AtomicBool::new(false))?.displayed()
 }
 
-/// Compares a picture with the golden one of that name, or makes it the golden one if `RTA_BLESS` is set.
+/// Compares a picture with the golden one of that name, or records it as the golden one if `RTA_BLESS` is set.
 ///
 /// # Panics
-/// Where they differ: both the picture and how it differs are then written to `golden` in the folder of the build,
-/// and the message says where and by how much.
+/// They differ. The picture and a difference picture are then written to the folder `golden` in that of the build, and
+/// the message says where and by how much they differ.
 pub fn check(name: &str, picture: &Displayed) {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("golden").join(format!("{name}.png"));
     if std::env::var_os("RTA_BLESS").is_some_and(|value| !value.is_empty() && value != "0") {
@@ -135,7 +134,7 @@ pub fn check(name: &str, picture: &Displayed) {
     let far = |a: Rgb<u8>, b: Rgb<u8>| a.zip(b, u8::abs_diff);
     let apart: Vec<_> = got.colors().into_iter().zip(golden.colors()).map(|(a, b)| far(a, b)).collect();
     let pixels = if got.indices.len() == golden.indices.len() {
-        // What differs a little is to be seen too.
+        // Small differences are made visible.
         let seen = |d: u8| if d == 0 { 0 } else { d.saturating_mul(4).max(64) };
         let picture = Displayed {
             pixels: Pixels::Direct(apart.iter().map(|d| d.map(seen)).collect()),
@@ -161,12 +160,13 @@ pub fn check(name: &str, picture: &Displayed) {
     );
 }
 
-/// A file in `golden` in the folder of the build, where a test runs in `debug/deps` or `release/deps`.
+/// Returns the path of a file in the folder `golden` of the build; tests run in its `debug/deps` or `release/deps`.
 fn output(name: &str) -> PathBuf {
     let test = std::env::current_exe().unwrap_or_default();
     test.ancestors().nth(3).unwrap_or(Path::new(".")).join("golden").join(name)
 }
 
+/// Writes a picture as a PNG with a caption, and makes its folder.
 fn write(path: &Path, picture: &Displayed) {
     let mut content = Vec::new();
     let caption = rta::picture::Caption {

@@ -1,6 +1,7 @@
-//! What holds rta together: an independent oracle, generated scenes, and how pictures are compared.
+//! Tools of the tests that span several crates: an independent renderer ([`oracle`]), generated scenes
+//! ([`random_scenes`]), golden pictures ([`golden`]), comparison of pictures ([`picture`],
+//! [`exact`]), and the boards under emulation ([`boards`]).
 
-pub mod baseline;
 pub mod boards;
 pub mod close;
 pub mod exact;

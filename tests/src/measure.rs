@@ -1,4 +1,4 @@
-//! Reading the numbers of every format, and how exact each format is.
+//! The numbers of each format as `f64`, and the size of a rounding in each format.
 
 use rta_core::color::Rgb;
 use rta_core::scalar::Radiance;
@@ -6,20 +6,20 @@ use rta_core::vector::{UnitVec3, Vec3, Vector};
 use rta_core::{Q16, Q20};
 use rta_scenes::narrow::Narrow;
 
-/// A number format whose values a test can read, with the rounding that it must do with.
+/// A number format whose values a test can read, and whose roundings it can bound.
 pub trait Measure: Narrow {
-    /// One rounding of a length of about ten units.
+    /// Size of one rounding of a length of about ten units, in units of length.
     const LENGTH: f64;
-    /// One rounding of a component of a unit vector.
+    /// Size of one rounding of a component of a unit vector.
     const UNIT: f64;
-    /// One rounding of a radiance of about one.
+    /// Size of one rounding of a radiance of about one.
     const LIGHT: f64;
 
-    /// A length as it is.
+    /// Returns a length, not rounded.
     fn read_length(self) -> f64;
-    /// A component or coefficient as it is.
+    /// Returns a component or coefficient, not rounded.
     fn read_unit(unit: Self::Unit) -> f64;
-    /// A radiance as it is.
+    /// Returns a radiance, not rounded.
     fn read_light(light: Self::Light) -> f64;
 }
 
@@ -69,13 +69,13 @@ macro_rules! float {
 float!(f32);
 float!(f64);
 
-/// Three lengths in a format.
+/// Returns a place, each coordinate rounded to the nearest length of the format.
 #[must_use]
 pub fn place<S: Measure>([x, y, z]: [f64; 3]) -> Vec3<S> {
     Vector::new(S::length(x), S::length(y), S::length(z))
 }
 
-/// A direction in a format, from a vector of any length but 0.
+/// Returns the direction of a vector of any length but 0, each component rounded to the format.
 #[must_use]
 pub fn direction<S: Measure>(v: [f64; 3]) -> UnitVec3<S> {
     let length = v.iter().map(|c| c * c).sum::<f64>().sqrt();
@@ -83,25 +83,25 @@ pub fn direction<S: Measure>(v: [f64; 3]) -> UnitVec3<S> {
     Vector::new(x, y, z)
 }
 
-/// A reflectance in a format.
+/// Returns a reflectance, each register rounded to the format.
 #[must_use]
 pub fn color<S: Measure>([r, g, b]: [f64; 3]) -> Rgb<S::Unit> {
     Rgb::new(S::unit(r), S::unit(g), S::unit(b))
 }
 
-/// A radiance in a format.
+/// Returns a radiance, each register rounded to the format.
 #[must_use]
 pub fn light<S: Measure>([r, g, b]: [f64; 3]) -> Rgb<S::Light> {
     Rgb::new(S::light(r), S::light(g), S::light(b))
 }
 
-/// The components of a direction.
+/// Returns the components of a direction.
 #[must_use]
 pub fn read_direction<S: Measure>(v: UnitVec3<S>) -> [f64; 3] {
     [v.x(), v.y(), v.z()].map(S::read_unit)
 }
 
-/// The registers of a radiance.
+/// Returns red, green and blue of a radiance.
 #[must_use]
 pub fn read_light<S: Measure>(light: Rgb<S::Light>) -> [f64; 3] {
     [light.r, light.g, light.b].map(S::read_light)

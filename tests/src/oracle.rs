@@ -12,17 +12,17 @@ mod tests;
 type Vector = [f64; 3];
 type Color = [f64; 3];
 
-/// The model's k1 and k2: how much of the ambient light a surface takes by the way it faces.
+/// The model's k1 and k2: a surface takes `(n.z + k1) k2` of the ambient light, where n is its normal.
 const AMBIENT: (f64, f64) = (1.5, 0.4);
-/// Half the opening of a highlight, in degrees.
+/// Half of a highlight's opening angle, in degrees.
 const HIGHLIGHT_DEGREES: f64 = 13.0;
-/// Side of a floor tile.
+/// Side of a floor tile, in units of length.
 const TILE: f64 = 3.0;
-/// A hit nearer than this share of the size of the scene is the surface that the ray leaves.
+/// A hit that is nearer than this share of the scene's size is taken for the surface that the ray leaves.
 const SELF_HIT: f64 = 1e-10;
 
-/// Renders a picture of `width` x `height` pixels for a screen of shape `aspect` : 1; a ray of depth `depth` spawns
-/// nothing. Linear RGB, not clamped, top row first. Empty if the direction of view is zero.
+/// Returns a picture of `width` x `height` pixels for a screen of shape `aspect` : 1, in linear RGB that is not
+/// clamped, row by row from the top; nothing if the direction of view is zero. A ray of depth `depth` spawns no other.
 #[must_use]
 pub fn render(scene: &Description, width: usize, height: usize, aspect: f64, depth: u32) -> Vec<Color> {
     let Some(forward) = scene.camera.direction() else { return Vec::new() };
@@ -46,13 +46,13 @@ pub fn render(scene: &Description, width: usize, height: usize, aspect: f64, dep
     picture
 }
 
-/// What the ray from `origin` along `direction` (of any length but zero) brings.
+/// Returns the radiance along the ray from `origin` in `direction`, which has any length but zero.
 #[must_use]
 pub fn radiance(scene: &Description, origin: [f64; 3], direction: [f64; 3], depth: u32) -> [f64; 3] {
     Oracle::new(scene, depth).trace(origin, unit(direction), 0)
 }
 
-/// a(x-x0)^2 + b(y-y0)^2 + c(z-z0)^2 + d = 0
+/// The surface a(x-x0)^2 + b(y-y0)^2 + c(z-z0)^2 + d = 0.
 struct Quadric {
     center: Vector,
     abc: [f64; 3],
@@ -67,7 +67,7 @@ struct Hit {
     /// Outward normal, of length 1.
     outward: Vector,
     color: Color,
-    /// `None` for a lamp: its colour is what is seen.
+    /// `None` for a lamp, whose colour is its radiance.
     surface: Option<Surface>,
 }
 
@@ -75,7 +75,7 @@ struct Oracle<'a> {
     scene: &'a Description,
     objects: Vec<Quadric>,
     lamps: Vec<Quadric>,
-    /// Greatest coordinate of anything in the scene.
+    /// Largest coordinate of anything in the scene.
     size: f64,
     max_depth: u32,
 }
@@ -115,12 +115,12 @@ impl<'a> Oracle<'a> {
         Self { scene, objects, lamps, size, max_depth }
     }
 
-    /// The least t that counts as a hit of a ray from `origin`.
+    /// Returns the least t that counts as a hit of a ray from `origin`.
     fn least(&self, origin: Vector) -> f64 {
         SELF_HIT * self.size.max(largest(origin))
     }
 
-    /// What a ray brings; `direction` has length 1.
+    /// Returns the radiance along a ray; `direction` has length 1.
     fn trace(&self, origin: Vector, direction: Vector, depth: u32) -> Color {
         let Some(hit) = self.nearest(origin, direction) else {
             let s = direction[2] * direction[2];
@@ -151,12 +151,12 @@ impl<'a> Oracle<'a> {
                 };
                 sum([scale(ks, product(i_ref, hit.color)), scale(kt, i_tra)])
             }
-            // Models of the coefficients' own are held by tests of their own.
+            // Scenes in NFF have another model, which has tests of its own.
             Surface::Finish { .. } => [0.0; 3],
         }
     }
 
-    /// The term with kd: ambient light, and what each lamp adds.
+    /// Returns the term with kd: ambient light and the light of each lamp.
     fn lit(&self, point: Vector, normal: Vector, reflected: Vector, color: Color, shiny: bool) -> Color {
         let (k1, k2) = AMBIENT;
         let mut light = scale((normal[2] + k1) * k2, product(self.scene.ambient, color));
@@ -175,7 +175,7 @@ impl<'a> Oracle<'a> {
         light
     }
 
-    /// S_n: the share of a lamp's light that comes through to `point`.
+    /// Returns S_n: the share of a lamp's light that arrives at `point`.
     fn arriving(&self, point: Vector, to_lamp: Vector, distance: f64) -> f64 {
         let least = self.least(point);
         let between = |t: f64| t > least && t < distance - least;
@@ -226,7 +226,7 @@ impl<'a> Oracle<'a> {
         nearest
     }
 
-    /// Where a ray meets z = 0, if there is a floor.
+    /// Returns the t at which a ray meets the plane z = 0, if there is a floor.
     fn floor_root(&self, origin: Vector, direction: Vector) -> Option<f64> {
         (self.scene.floor.is_some() && direction[2] != 0.0).then(|| -origin[2] / direction[2])
     }
@@ -237,7 +237,7 @@ impl Quadric {
         Self { center, abc, d, color, surface }
     }
 
-    /// The roots of A t^2 + 2 B t + C = 0, of either sign.
+    /// Returns the roots of A t^2 + 2 B t + C = 0, of either sign.
     fn roots(&self, origin: Vector, direction: Vector) -> Option<[f64; 2]> {
         let from_center = difference(origin, self.center);
         let a = dot(self.abc, product(direction, direction));
@@ -265,7 +265,7 @@ fn difference([x, y, z]: Vector, [u, v, w]: Vector) -> Vector {
     [x - u, y - v, z - w]
 }
 
-/// Component by component.
+/// Returns the product component by component.
 fn product([x, y, z]: Vector, [u, v, w]: Vector) -> Vector {
     [x * u, y * v, z * w]
 }

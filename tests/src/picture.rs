@@ -1,18 +1,19 @@
-//! Pictures in linear light, and how far two of them are apart.
+//! Pictures in linear light, and the share of pixels in which two of them agree.
 
 use rta::engine::{Engine, EngineError, Format, Settings};
 use rta_core::color::Rgb;
 use rta_scenes::description::Description;
 
-/// The raster of a PS/2 on its 4 : 3 screen, depth 5: what the specification's figures are stated for.
+/// Returns the settings that the specification states its figures for: 320 x 200 pixels, as a PS/2 has them, on a
+/// screen of 4 : 3, with the thesis's model and depth 5.
 pub fn settings(format: Format) -> Settings {
     Settings { format, ..Settings::default() }
 }
 
-/// Renders a scene; top row first, not clamped.
+/// Returns a scene's picture in linear light that is not clamped, row by row from the top.
 ///
 /// # Errors
-/// Whatever keeps the scene out of the format.
+/// The scene does not fit the format, or the settings are out of range.
 pub fn render(scene: &Description, settings: &Settings) -> Result<Vec<[f64; 3]>, EngineError> {
     let engine = Engine::new(scene, settings)?;
     let mut rows = vec![Rgb::default(); settings.width as usize * settings.height as usize];
@@ -20,7 +21,11 @@ pub fn render(scene: &Description, settings: &Settings) -> Result<Vec<[f64; 3]>,
     Ok(rows.iter().map(|p| [p.r, p.g, p.b].map(f64::from)).collect())
 }
 
-/// How many pixels in a hundred are within `tolerance` of each other in every register, both clamped to [0, 1].
+/// Returns the share of pixels, in a hundred, that are within `tolerance` of each other in every register, both
+/// pictures clamped to [0, 1].
+///
+/// # Panics
+/// The pictures have different numbers of pixels.
 pub fn share_within(a: &[[f64; 3]], b: &[[f64; 3]], tolerance: f64) -> f64 {
     assert_eq!(a.len(), b.len(), "pictures of one size");
     let near = |(p, q): &(&[f64; 3], &[f64; 3])| {

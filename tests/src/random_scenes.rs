@@ -1,7 +1,7 @@
-//! Scenes that are hard on a tracer and yet fair: no coincident surfaces, all within 50 units of the origin, lamps
-//! that leave most of the picture between black and white, and nothing that Q16.16 lengths cannot hold.
+//! Scenes that are hard on a tracer and yet fair: no coincident surfaces, everything within 50 units of the origin,
+//! most pixels between black and white, and no length that Q16.16 cannot hold.
 //!
-//! They come from a seeded generator and are the same each time.
+//! They come from a seeded generator and do not change from run to run.
 
 use core::f64::consts::TAU;
 
@@ -11,7 +11,7 @@ mod in_glass;
 #[cfg(test)]
 mod tests;
 
-/// Every scene with its name.
+/// Returns all scenes with their names.
 #[must_use]
 pub fn all() -> Vec<(&'static str, Description)> {
     vec![
@@ -33,8 +33,8 @@ pub fn all() -> Vec<(&'static str, Description)> {
     ]
 }
 
-/// Fifty objects of every kind and type before the observer, large and small, with three lamps; another scene for
-/// each seed.
+/// Returns fifty objects of every kind and type before the observer, large and small, with three lamps: another scene
+/// for each seed.
 #[must_use]
 pub fn crowd(seed: u64) -> Description {
     let mut dice = Dice::new(seed);
@@ -62,7 +62,7 @@ pub fn crowd(seed: u64) -> Description {
     scene
 }
 
-/// Rows of spheres, ellipsoids and cylinders, columns of the four types.
+/// Rows of spheres, ellipsoids and cylinders, and columns of the four types of surface.
 fn every_type() -> Description {
     let mut dice = Dice::new(11);
     let mut scene = ground([0.0, -13.0, 4.5], [0.0, 1.0, -0.25]);
@@ -77,7 +77,7 @@ fn every_type() -> Description {
     scene
 }
 
-/// Twenty coloured lamps in a ring, some seen.
+/// Twenty coloured lamps in a ring, some of which have a size and are seen.
 fn many_lamps() -> Description {
     let mut dice = Dice::new(14);
     let mut scene = ground([0.0, -16.0, 8.0], [0.0, 1.0, -0.42]);
@@ -134,7 +134,7 @@ fn mirror_cylinders() -> Description {
     scene
 }
 
-/// Lamps that are seen, that are not, in glass, in a solid, below the floor and in a mirror.
+/// Lamps that are seen and that are not, in glass, in a solid, below the floor, and in a mirror.
 fn lamps() -> Description {
     let mut scene = ground([0.0, -13.0, 4.0], [0.0, 1.0, -0.15]);
     scene.lamps = vec![
@@ -189,7 +189,7 @@ fn below_the_floor() -> Description {
     scene
 }
 
-/// All is inside one great ellipsoid, whose inner side is seen and lit.
+/// Everything is inside one large ellipsoid, whose inner side is seen and lit.
 fn inside_an_ellipsoid() -> Description {
     let mut dice = Dice::new(23);
     let mut scene = ground([0.0, -12.0, 4.0], [0.0, 1.0, -0.08]);
@@ -200,7 +200,7 @@ fn inside_an_ellipsoid() -> Description {
     scene
 }
 
-/// An empty floor with a sky and two lamps, seen from `eye`.
+/// Returns an empty floor with a sky and two lamps, seen from `eye` in the direction `view`.
 fn ground(eye: [f64; 3], view: [f64; 3]) -> Description {
     Description {
         lamps: vec![
@@ -248,7 +248,7 @@ fn glass(ks: f64, ior: f64) -> Surface {
     Surface::Transparent { ks, kt: 1.0 - ks, ior }
 }
 
-/// The seeded generator. Values are rounded to thousandths, so that a scene written to a file stays readable.
+/// A seeded generator of random numbers, rounded to thousandths so that a scene written to a file stays readable.
 struct Dice(fastrand::Rng);
 
 impl Dice {
@@ -264,7 +264,7 @@ impl Dice {
         [self.between(0.2, 0.95), self.between(0.2, 0.95), self.between(0.2, 0.95)]
     }
 
-    /// Opaque, shiny or a mirror.
+    /// Returns opaque, shiny or a mirror.
     fn solid(&mut self) -> Surface {
         match self.0.u8(0..3) {
             0 => Surface::Opaque,
@@ -273,7 +273,7 @@ impl Dice {
         }
     }
 
-    /// Any of the four types.
+    /// Returns any of the four types, glass with random coefficients.
     fn surface(&mut self) -> Surface {
         if self.0.u8(0..4) == 0 {
             let ks = self.between(0.0, 0.4);

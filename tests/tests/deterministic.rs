@@ -4,7 +4,7 @@ use rta_core::illumination::{Phong, Rta};
 use rta_core::needs::Everything;
 use rta_tests::exact::{Bits, DEPTH, Exact, OneByOne, hash, shipped_scene};
 
-/// What every build on every machine must draw at 320 x 200: [`hash`] of each shipped scene.
+/// [`hash`] of each shipped scene at 320 x 200, which every build on every machine must draw.
 const HASHES: [(&str, u64); 3] = [
     ("juggler", 0x77e7_0398_f855_1b5d),
     ("hall-22", 0x7968_9965_4c09_e97f),
@@ -20,7 +20,7 @@ fn every_build_draws_the_same_bytes() {
     assert!(got == HASHES, "got {got:#x?}, want {HASHES:#x?}");
 }
 
-/// The same of scenes in NFF with its own model: boxes, cones, triangles, highlights by powers.
+/// [`hash`] of scenes in NFF in Phong's model: cones, triangles, a hierarchy, highlights by powers.
 const NFF_HASHES: [(&str, u64); 2] =
     [("scenes/solids.nff", 0xd65d_c3f6_d381_433a), ("../scenes/balls2.nff", 0x11fa_4244_7784_e4fa)];
 
@@ -32,7 +32,7 @@ fn every_build_draws_the_same_bytes_of_nff() {
         let scene = rta_scenes::read(&text, file).expect("a scene");
         let exact = Exact::new(&scene, 320, 200);
         let picture = exact.picture::<_, Everything>(Phong::default(), DEPTH).expect("it is drawn");
-        // By lanes, as firmware searches, and without any search.
+        // As the program searches, as firmware does, and without any search.
         let firmware = exact.without_lanes(&scene).picture::<_, Everything>(Phong::default(), DEPTH);
         assert!(firmware.as_ref() == Ok(&picture), "{file} by boxes");
         let listed = exact.picture::<_, OneByOne>(Phong::default(), DEPTH);

@@ -18,8 +18,8 @@ use rta_tests::boards::{Failure, folder};
 
 /// Boots the boards under emulation and compares what they draw with the engine, byte for byte
 ///
-/// The status is 1 where anything differs or fails. A board whose emulator or compiler is missing is skipped and counted;
-/// where the environment has CI, that is a failure. `tests/boards/setup` installs what Debian offers.
+/// The status is 1 where anything differs or fails. A board whose emulator or compiler is missing is skipped and
+/// counted; where the environment has CI, that is a failure. `tests/boards/setup` installs what Debian offers.
 #[derive(Parser)]
 struct Args {
     /// Boards [default: all]
@@ -102,7 +102,7 @@ fn run(args: &Args) -> Result<bool, Failure> {
     Ok(failures.is_empty() && (skipped.is_empty() || std::env::var_os("CI").is_none()))
 }
 
-/// The compiler for a board whose emulator is there.
+/// Returns the compiler for a board, or an error where its emulator or its compiler is missing.
 fn ready(board: &Board) -> Result<Toolchain, Failure> {
     let probe =
         Command::new(board.emulator).arg("--version").stdout(Stdio::null()).stderr(Stdio::null()).status();
@@ -112,11 +112,11 @@ fn ready(board: &Board) -> Result<Toolchain, Failure> {
     Toolchain::find(board)
 }
 
-/// What is drawn: a board, what builds its image, and the picture.
+/// A picture to be drawn: the board, the compiler of its image, and the picture.
 type Job = (Board, Toolchain, Picture);
 
-/// All jobs, each in its board's target folder. A thread works through each folder, so two targets are built at once, and
-/// an image runs while one of the other folder is built.
+/// Does all jobs, each in its board's target folder. One thread works through each folder, so that two targets are
+/// built at once, and an image runs while one of the other folder is built.
 fn work(jobs: &[Job], args: &Args) -> (Vec<Row>, Vec<String>) {
     let finished = AtomicUsize::new(0);
     let one = |(board, toolchain, picture): &Job| {

@@ -7,52 +7,52 @@ use rta::engine::Format;
 /// A board.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Board {
-    /// What it is called on the command line and in tables.
+    /// Name on the command line and in tables.
     pub name: &'static str,
-    /// Its processor.
+    /// Processor, for tables.
     pub processor: &'static str,
-    /// Its package.
+    /// Package in `tests/boards`.
     pub package: &'static str,
     /// The feature of the package that chooses it.
     pub feature: Option<&'static str>,
-    /// The target; a file of the package where the compiler has none of that name.
+    /// Target of the compiler: a built-in name, or a target file of the package.
     pub target: &'static str,
-    /// The linker where the compiler's own is missing.
+    /// Linker to use where the compiler does not bring its own.
     pub linker: &'static str,
-    /// The emulator's program.
+    /// Program name of the emulator.
     pub emulator: &'static str,
-    /// What the emulator is told, but for the image.
+    /// Arguments of the emulator, without those that name the image.
     pub arguments: &'static [&'static str],
-    /// How the picture comes out.
+    /// How the picture leaves the board.
     pub output: Output,
 }
 
-/// How a board's picture comes out.
+/// How the picture leaves a board.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Output {
-    /// Two files that it writes by semihosting; its reports are on the console.
+    /// In two files that the program writes by semihosting; its reports are on the console.
     Semihosting,
-    /// Two files that the module's host writes.
+    /// In two files that the WebAssembly module's host writes.
     Module,
-    /// A screen, of which a screendump is taken, and which is read back over a serial line.
+    /// On a screen: the emulator takes a screendump, and the program sends the frame buffer over a serial line.
     Screen {
-        /// How the image is handed over.
+        /// Form in which the emulator takes the image.
         image: Image,
         /// Width, height and highest level of the screen.
         screen: (u32, u32, u8),
-        /// Pixels of the screendump for each of the screen's.
+        /// Pixels of the screendump for each pixel of the screen, along each axis.
         zoom: u32,
     },
 }
 
-/// What an emulator takes.
+/// Form in which an emulator takes an image.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Image {
     /// The ELF file itself.
     Kernel,
     /// A floppy disk of 1.44 MB.
     Floppy,
-    /// A boot PROM.
+    /// The contents of a boot PROM.
     Prom,
 }
 
@@ -168,7 +168,7 @@ pub const ALL: [Board; 8] = [
     },
 ];
 
-/// What one image draws.
+/// A picture that one image draws.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Picture {
     /// The scene's name.
@@ -177,14 +177,14 @@ pub struct Picture {
     pub file: PathBuf,
     /// The number format.
     pub format: Format,
-    /// Whether the program is for this scene alone, or for any.
+    /// Whether the program holds only what this scene needs, or all that any scene may need.
     pub baked: bool,
     /// Width and height in pixels.
     pub size: (u32, u32),
 }
 
 impl Picture {
-    /// Whether the picture is drawn where time is short.
+    /// Whether the picture is among those that `--brief` draws.
     #[must_use]
     pub fn is_brief(&self, board: &Board) -> bool {
         let any_scene = matches!(
@@ -200,13 +200,13 @@ impl Picture {
         if self.baked { this_scene } else { any_scene }
     }
 
-    /// What the program can draw, in words.
+    /// Returns what the program can draw, in words: the column "needs" of the footprint table.
     #[must_use]
     pub fn needs(&self) -> &'static str {
         if self.baked { "baked" } else { "Everything" }
     }
 
-    /// What the picture is called.
+    /// Returns the name of the picture in messages and files.
     #[must_use]
     pub fn title(&self, board: &Board) -> String {
         format!("{} {} {} {}", board.name, self.scene, self.format, self.needs())
@@ -216,7 +216,7 @@ impl Picture {
 /// The raster of pictures that are streamed.
 const STREAMED: (u32, u32) = (160, 100);
 
-/// The scenes that are drawn: name and file, from the folder of the boards.
+/// The scenes that are drawn: name, and file relative to the folder of the boards.
 const SCENES: [(&str, &str); 4] = [
     ("opaque", "scenes/opaque.dat"),
     ("juggler", "../../scenes/juggler.dat"),
@@ -228,14 +228,14 @@ const SCENES: [(&str, &str); 4] = [
 pub const TARGET_FOLDERS: usize = 2;
 
 impl Board {
-    /// The target folder that its images are built in: always the same for a target, whose `core` is built once only, and
-    /// about half of the work for each.
+    /// Returns the number of the target folder, below [`TARGET_FOLDERS`], that the board's images are built in. Each
+    /// target has one folder, so that its `core` is built once only, and each folder gets about half of the work.
     #[must_use]
     pub fn target_folder(&self) -> usize {
         usize::from(matches!(self.name, "mps2-an386" | "riscv" | "sparc" | "wasm"))
     }
 
-    /// The pictures that the board draws.
+    /// Returns the pictures that the board draws.
     #[must_use]
     pub fn pictures(&self) -> Vec<Picture> {
         let mut pictures = Vec::new();

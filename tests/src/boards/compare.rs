@@ -1,4 +1,4 @@
-//! Whether a picture is the one that it should be.
+//! Comparison of a board's picture with the one that the engine draws.
 
 use rta_core::color::Rgb;
 
@@ -9,7 +9,7 @@ use super::machine::Screendump;
 /// Compares what a board drew with what it must draw.
 ///
 /// # Errors
-/// They differ.
+/// How they differ, in words.
 pub fn picture(got: &Indexed, want: &Indexed) -> Result<(), Failure> {
     let used = want.colors.len();
     if got.colors.get(..used) != Some(want.colors.as_slice()) {
@@ -27,7 +27,7 @@ pub fn picture(got: &Indexed, want: &Indexed) -> Result<(), Failure> {
 /// Compares what the screen shows with the picture: in its middle where the picture is smaller, black around it.
 ///
 /// # Errors
-/// They differ.
+/// How they differ, in words.
 pub fn screen(
     dump: &Screendump,
     want: &Indexed,

@@ -1,4 +1,4 @@
-//! What is in an image: sizes of its sections, and its bytes by address.
+//! ELF files of images: sizes of sections, names of functions, and bytes by address.
 
 use object::{Object, ObjectSection, ObjectSegment, ObjectSymbol, SectionFlags, SectionKind, SymbolKind};
 
@@ -15,10 +15,10 @@ pub struct Sizes {
     pub ram: u64,
 }
 
-/// Adds up the sections of an ELF file; symbols and notes for debuggers do not count.
+/// Returns the sums of the sections' sizes of an ELF file; symbols and notes for debuggers do not count.
 ///
 /// # Errors
-/// It is no ELF file.
+/// The bytes are no ELF file.
 pub fn sizes(file: &[u8]) -> Result<Sizes, Failure> {
     let mut sizes = Sizes::default();
     for section in object::File::parse(file)?.sections() {
@@ -36,10 +36,10 @@ pub fn sizes(file: &[u8]) -> Result<Sizes, Failure> {
     Ok(sizes)
 }
 
-/// Whether a function of an image has a name with `word` in it.
+/// Returns whether the name of a function of an image has `word` in it.
 ///
 /// # Errors
-/// It is no ELF file.
+/// The bytes are no ELF file.
 pub fn mentions(file: &[u8], word: &str) -> Result<bool, Failure> {
     let elf = object::File::parse(file)?;
     Ok(elf.symbols().any(|symbol| {
@@ -47,10 +47,10 @@ pub fn mentions(file: &[u8], word: &str) -> Result<bool, Failure> {
     }))
 }
 
-/// The contents of the loadable segments as one block of memory, from the address `base` on.
+/// Returns the contents of the loadable segments as one block of memory, from the address `base` on.
 ///
 /// # Errors
-/// It is no ELF file, or it lies below `base` or takes more than 4 MiB.
+/// The bytes are no ELF file, or a segment lies below `base` or takes more than 4 MiB.
 pub fn flat(file: &[u8], base: u64) -> Result<Vec<u8>, Failure> {
     let elf = object::read::elf::ElfFile32::<object::Endianness>::parse(file)?;
     let endian = elf.endian();

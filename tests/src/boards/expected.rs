@@ -1,4 +1,4 @@
-//! What a board must draw: the engine's own picture, through the same colour table.
+//! The picture that a board must draw: the engine's, through the board's colour table.
 
 use rta::device::Device;
 use rta::engine::{Engine, Format, Settings};
@@ -12,20 +12,20 @@ use rta_scenes::dat;
 use super::Failure;
 use super::board::{Output, Picture};
 
-/// A picture as indices, and the colours they stand for.
+/// A picture as indices into a colour table.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Indexed {
-    /// Levels of the display's guns.
+    /// The colour table, in levels of the display's guns.
     pub colors: Vec<Rgb<u8>>,
     /// An index for each pixel, row by row.
     pub pixels: Vec<u8>,
 }
 
 impl Indexed {
-    /// The hash that `rta hash` prints of such a picture.
+    /// Returns the hash that `rta hash` prints for this picture.
     ///
     /// # Errors
-    /// The picture is none of that size.
+    /// The colour table has more than 256 entries.
     pub fn hash(&self, (width, height): (u32, u32)) -> Result<u64, Failure> {
         let capabilities = Capabilities { width, height, colors: 256, gun_max: u8::MAX, aspect: (4, 3) };
         let mut sum = Checksum::new(Unseen(capabilities));
@@ -37,7 +37,7 @@ impl Indexed {
     }
 }
 
-/// The engine's levels of a picture, on guns with that highest level.
+/// Returns the levels that the engine draws, on guns whose highest level is `gun_max`.
 fn levels(picture: &Picture, (width, height): (u32, u32), gun_max: u8) -> Result<Vec<Rgb<u8>>, Failure> {
     let text = std::fs::read(&picture.file)?;
     let scene = dat::read(&text, &picture.file.display().to_string())?;
@@ -48,7 +48,7 @@ fn levels(picture: &Picture, (width, height): (u32, u32), gun_max: u8) -> Result
     Ok(levels)
 }
 
-/// Keeps what it is shown.
+/// A display that keeps what is sent to it.
 struct Paper {
     capabilities: Capabilities,
     shown: Indexed,
@@ -88,7 +88,7 @@ fn paint(
     Ok(painter.into_parts().0.shown)
 }
 
-/// The picture that a board streams: a VGA's 64 levels in the even cube of colours.
+/// Returns the picture that a board streams: 64 levels a gun, as a VGA has, in the uniform colour table.
 ///
 /// # Errors
 /// The scene does not fit the number format.
@@ -97,7 +97,8 @@ pub fn streamed(picture: &Picture, size: (u32, u32)) -> Result<Indexed, Failure>
     paint(&levels(picture, size, gun_max)?, size, gun_max, Uniform::new(256, gun_max)?)
 }
 
-/// The picture that a board shows: on a screen in a table made as it is drawn, else as it is streamed.
+/// Returns the picture that a board shows: with the tolerant adaptive colour table on a screen, else
+/// as it is streamed.
 ///
 /// # Errors
 /// The scene does not fit the number format.

@@ -1,10 +1,11 @@
-//! The footprint table: what each image takes, as the boards reported it, and whether it has drifted.
+//! The footprint table: memory and instructions of each image, as the boards reported them, compared with those
+//! recorded.
 
 use core::fmt::Write;
 
 use super::Failure;
 
-/// What an image takes.
+/// Memory and instructions that an image takes.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Footprint {
     /// Board, scene, number format and needs.
@@ -21,7 +22,7 @@ pub struct Footprint {
     pub instructions: u64,
 }
 
-/// By how much a figure may change before that is a failure: a twentieth.
+/// Share by which a figure may change before that is a failure: a twentieth.
 const DRIFT: u64 = 20;
 
 const HEAD: &str = "\
@@ -42,7 +43,7 @@ a figure drifts by more than 5 %.
 const COLUMNS: &str = "| board | scene | format | needs | .text | .rodata | RAM | stack | instructions a pixel |\n\
                        | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n";
 
-/// The page, made by the compiler `version`.
+/// Returns the page as text, with the `version` of the compiler that built the images.
 #[must_use]
 pub fn page(rows: &[Footprint], version: &str) -> String {
     let mut page = format!("{HEAD}\nCompiler: {version}\n\n{COLUMNS}");
@@ -56,10 +57,10 @@ pub fn page(rows: &[Footprint], version: &str) -> String {
     page
 }
 
-/// The compiler and the rows of a page.
+/// Reads a page: returns the version of the compiler and the rows.
 ///
 /// # Errors
-/// It is no such page.
+/// The text is no such page.
 pub fn parse(page: &str) -> Result<(String, Vec<Footprint>), Failure> {
     let version =
         page.lines().find_map(|line| line.strip_prefix("Compiler: ")).ok_or("it names no compiler")?;
@@ -89,7 +90,7 @@ impl Footprint {
         ]
     }
 
-    /// What differs from `recorded` by more than a twentieth, in words.
+    /// Returns, in words, the figures that differ from `recorded` by more than a twentieth.
     #[must_use]
     pub fn drift(&self, recorded: &Self) -> Vec<String> {
         let pairs = self.figures().into_iter().zip(recorded.figures());

@@ -1,4 +1,4 @@
-//! A board switched on: from an image to what it drew and reported.
+//! The emulators: runs an image and collects its picture and reports.
 
 use core::time::Duration;
 use std::fs;
@@ -16,15 +16,15 @@ use super::expected::Indexed;
 use super::qmp::Qmp;
 use super::{Failure, elf, folder};
 
-/// How long a board may take.
+/// Time that a board may take.
 const PATIENCE: Duration = Duration::from_secs(600);
 
-/// What came of a board.
+/// Picture and reports of a board.
 #[derive(Clone, Debug)]
 pub struct Outcome {
-    /// What it drew, as it came out.
+    /// The picture as the board sent it.
     pub drawn: Indexed,
-    /// The screen, where there is one: width, height and 8 bits a gun.
+    /// The screendump, where there is a screen.
     pub screendump: Option<Screendump>,
     /// Bytes of stack used, if reported.
     pub stack: Option<u64>,
@@ -34,16 +34,16 @@ pub struct Outcome {
     pub hash: Option<u64>,
 }
 
-/// What a screen shows.
+/// A screendump, 8 bits a gun.
 #[derive(Clone, Debug)]
 pub struct Screendump {
-    /// Pixels in a row and rows.
+    /// Width and height in pixels.
     pub size: (usize, usize),
-    /// Row by row.
+    /// The pixels, row by row.
     pub pixels: Vec<[u8; 3]>,
 }
 
-/// Ends the emulator when it is no longer wanted, whatever happens.
+/// A running emulator, which is ended when this is dropped.
 struct Running(Child);
 
 impl Drop for Running {
@@ -66,7 +66,8 @@ impl Running {
     }
 }
 
-/// Runs an image; `room` is an empty folder for the files that come of it.
+/// Runs an image and returns its picture and reports; `room` is an empty folder for the files that are written
+/// meanwhile.
 ///
 /// # Errors
 /// The emulator cannot be started, the board reports a failure, or it says nothing for ten minutes.
@@ -109,7 +110,8 @@ fn streamed(mut command: Command, room: &Path) -> Result<Outcome, Failure> {
     })
 }
 
-/// The colour table that comes of loads: first entry, number of colours less 1, and the colours.
+/// Returns the colour table after a sequence of loads, each of which is the first entry, the number of colours less 1,
+/// and the colours.
 fn table(mut loads: &[u8]) -> Result<Vec<Rgb<u8>>, Failure> {
     let mut colors = Vec::new();
     while let [first, less, rest @ ..] = loads {
@@ -122,13 +124,13 @@ fn table(mut loads: &[u8]) -> Result<Vec<Rgb<u8>>, Failure> {
     Ok(colors)
 }
 
-/// The value of a report: its name, a blank, and hexadecimal digits.
+/// Returns the value of the report `name`, which is a line of the name, a blank and hexadecimal digits.
 fn report(words: &str, name: &str) -> Option<u64> {
     let value = |line: &str| u64::from_str_radix(line.strip_prefix(name)?.strip_prefix(' ')?.trim(), 16).ok();
     words.lines().find_map(value)
 }
 
-/// Writes the image in the form that the emulator takes and tells how it is handed over.
+/// Writes the image in the form that the emulator takes and returns the arguments that name it.
 fn hand_over(kind: Image, image: &Path, room: &Path) -> Result<Vec<String>, Failure> {
     let written = |name: &str, bytes: &[u8]| -> Result<PathBuf, Failure> {
         let path = room.join(name);
@@ -210,7 +212,7 @@ fn report_size(words: &str) -> Result<(usize, usize), Failure> {
         .ok_or_else(|| format!("the board does not tell its raster: {words}").into())
 }
 
-/// Connects to a socket that the emulator is about to make.
+/// Connects to a socket, which the emulator may not have made yet.
 fn connect(socket: &Path) -> Result<UnixStream, Failure> {
     for _ in 0..1000 {
         if let Ok(stream) = UnixStream::connect(socket) {
@@ -221,7 +223,7 @@ fn connect(socket: &Path) -> Result<UnixStream, Failure> {
     Err("the emulator does not start".into())
 }
 
-/// Reads up to and with `end`.
+/// Reads up to `end` and returns all of it, `end` included.
 fn until(line: &mut UnixStream, end: &[u8]) -> Result<String, Failure> {
     let mut words = Vec::new();
     while !words.ends_with(end) {
@@ -234,7 +236,7 @@ fn until(line: &mut UnixStream, end: &[u8]) -> Result<String, Failure> {
     Ok(String::from_utf8_lossy(&words).into_owned())
 }
 
-/// A binary PPM with 8 bits a gun.
+/// Reads a binary PPM with 8 bits a gun.
 fn ppm(file: &[u8]) -> Result<Screendump, Failure> {
     let bad = "the screendump is no PPM";
     let header =

@@ -15,7 +15,7 @@ pub struct Qmp {
 }
 
 impl Qmp {
-    /// Connects, and leaves the mode in which nothing but that is allowed.
+    /// Connects and negotiates the capabilities, without which no other command is allowed.
     ///
     /// # Errors
     /// The emulator's.
@@ -28,7 +28,7 @@ impl Qmp {
         Ok(qmp)
     }
 
-    /// Writes what the screen shows into a PPM file.
+    /// Writes a screendump into a PPM file.
     ///
     /// # Errors
     /// The emulator's.

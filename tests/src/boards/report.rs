@@ -1,4 +1,4 @@
-//! What is told of all pictures together: the table, and what is wrong with programs whose pictures are right.
+//! The report of all pictures: the table, and what is wrong with programs whose pictures are right.
 
 use rta::engine::Format;
 
@@ -6,7 +6,7 @@ use super::board::{Board, Picture};
 use super::footprint::Footprint;
 use super::row::{PRIMITIVES, Row};
 
-/// What programs that hold only what the opaque scene needs have in them that they should not have.
+/// Returns, in words, which programs for the opaque scene alone have functions in them that it does not need.
 #[must_use]
 pub fn superfluous(rows: &[Row]) -> Vec<String> {
     let of = |board: &Board, format, baked| {
@@ -34,7 +34,7 @@ pub fn superfluous(rows: &[Row]) -> Vec<String> {
     found
 }
 
-/// How footprints differ from those on the page, if the same compiler made them.
+/// Returns, in words, how footprints differ from those on the page; nothing where another compiler made those.
 #[must_use]
 pub fn drift(now: &[Footprint], (compiler, then): &(String, Vec<Footprint>), version: &str) -> Vec<String> {
     if compiler != version {

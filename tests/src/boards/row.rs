@@ -1,4 +1,4 @@
-//! One picture, from its source to what is told of it.
+//! One picture of one board: built, booted, compared, and summed up as a row of the table.
 
 use std::fs;
 use std::path::Path;
@@ -19,18 +19,19 @@ pub struct Row {
     pub board: Board,
     /// The picture.
     pub picture: Picture,
-    /// Its hash as boards without a screen stream it.
+    /// The hash of the picture as boards without a screen stream it.
     pub hash: u64,
     /// Bytes of stack, if reported.
     pub stack: Option<u64>,
-    /// Of [`PRIMITIVES`], what the names of the program's functions have in them.
+    /// Those of [`PRIMITIVES`] that are part of the name of one of the program's functions.
     pub primitives: Vec<&'static str>,
-    /// What the image takes, where stack and instructions are reported.
+    /// Memory and instructions of the image, where the board reports stack and instructions.
     pub footprint: Option<Footprint>,
 }
 
 impl Row {
-    /// Builds, boots and compares one picture; keeps what came of it in a folder of `keep`.
+    /// Builds, boots and compares one picture; writes the files that the board wrote into a folder of `keep`, if there
+    /// is one.
     ///
     /// # Errors
     /// The compiler's and the emulator's, and whatever is not as it must be.

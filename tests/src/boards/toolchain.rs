@@ -1,4 +1,4 @@
-//! Which compiler builds a board's image.
+//! The compilers that build the images of boards.
 
 use std::env;
 use std::path::PathBuf;
@@ -21,10 +21,10 @@ pub enum Toolchain {
 const DEBIAN_SOURCES: &str = "/usr/lib/rustlib/src/rust/library/core";
 
 impl Toolchain {
-    /// The compiler for a board, or what is missing.
+    /// Returns the compiler for a board.
     ///
     /// # Errors
-    /// Neither has the target.
+    /// Neither has the target: what is missing, in words.
     pub fn find(board: &Board) -> Result<Self, Failure> {
         // Targets that are not in the compiler's distribution are always built from sources.
         let distributed = !matches!(board.package, "pc" | "sparc");
@@ -37,7 +37,7 @@ impl Toolchain {
         Err(format!("no compiler for {}: see tests/boards/setup", board.target).into())
     }
 
-    /// The version of the compiler.
+    /// Returns the version of the compiler.
     ///
     /// # Errors
     /// It cannot be run.
@@ -104,13 +104,13 @@ impl Toolchain {
     }
 }
 
-/// Where a board's images are built: beside everything else that is built.
+/// Returns the target folder of a board's images, which lies in that of the workspace.
 fn target_dir(board: &Board) -> PathBuf {
     let target = env::var_os("CARGO_TARGET_DIR").map_or_else(|| folder().join("../../target"), PathBuf::from);
     target.join("boards").join(board.target_folder().to_string())
 }
 
-/// Whether the installed compiler has `core` for a target.
+/// Returns whether the installed compiler has `core` for a target.
 fn has_core(target: &str) -> bool {
     let printed = Command::new("rustc").args(["--print", "target-libdir", "--target", target]).output();
     let Ok(printed) = printed else { return false };
@@ -119,7 +119,7 @@ fn has_core(target: &str) -> bool {
     files.flatten().any(|file| file.file_name().to_string_lossy().starts_with("libcore-"))
 }
 
-/// Where Debian's compiler has the sources of `core`, if it has them.
+/// Returns the folder of the standard library's sources of Debian's compiler, if it has them.
 fn sources() -> Option<PathBuf> {
     let root = Command::new("/usr/bin/rustc").args(["--print", "sysroot"]).output().ok()?;
     let root = PathBuf::from(String::from_utf8_lossy(&root.stdout).trim());

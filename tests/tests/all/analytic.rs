@@ -1,5 +1,6 @@
-//! Where the answer is known from a formula, in every number format.
+//! Pictures whose radiance is known from a formula, in every number format.
 
+use rta::engine::MAX_DEPTH;
 use rta_core::Q16;
 use rta_core::camera::{Camera, Lens};
 use rta_core::color::Rgb;
@@ -47,12 +48,12 @@ const WHITE: [f64; 3] = [1.0; 3];
 const RADIANCE: &str = "of white";
 const COSINE: &str = "of a unit vector's component";
 
-/// A few roundings of places some ten units away, and of light.
+/// Returns a few roundings of places some ten units away, and of radiance.
 fn tolerance<S: Measure>() -> f64 {
     8.0 * (S::LENGTH + S::LIGHT)
 }
 
-/// Nothing, in the dark.
+/// Returns an empty scene without any light.
 fn dark<S: Measure>() -> Scene<'static, S> {
     Scene {
         floor: None,
@@ -91,7 +92,9 @@ fn see<S: Measure>(
     let (eye, towards) = (place::<S>(eye), direction::<S>(towards));
     let camera = Camera::new(eye, towards, Lens::new(1, 1, (1, 1)));
     let admitted = scene.admit(&camera).expect("the scene fits");
-    let tracer: Tracer<_, _, Everything, 16> = Tracer::new(admitted, model, depth).expect("it is no deeper");
+    // With the engine's stack the engine's tracers are linked, not compiled anew.
+    let tracer: Tracer<_, _, Everything, { MAX_DEPTH as usize }> =
+        Tracer::new(admitted, model, depth).expect("it is no deeper");
     read_light::<S>(tracer.radiance(eye, towards))
 }
 
@@ -109,7 +112,7 @@ fn assert_light<S: Measure>(got: [f64; 3], want: [f64; 3], case: &str) {
     }
 }
 
-/// The trait's own numbers, so that an `Rgb` of every format is what the tests read.
+/// The conversions that all of these tests go through.
 #[test]
 fn what_is_read_is_what_was_written() {
     let color: Rgb<<Q16 as rta_core::Scalar>::Light> = light::<Q16>([0.25, 3.5, 100.0]);

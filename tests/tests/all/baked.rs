@@ -1,4 +1,5 @@
-//! Baked scenes: what `build.rs` has made of the scene files is what the reader and the engine make of them.
+//! Baked scenes: the modules that `build.rs` has made of scene files hold the scenes that are read and narrowed here,
+//! and are drawn as the engine draws them.
 
 use rta::engine::{Engine, Format, Model, Settings};
 use rta_core::camera::Camera;
@@ -15,10 +16,10 @@ use rta_scenes::narrow::{Narrow, narrow};
 /// Recursion depth.
 const DEPTH: u32 = 5;
 
-/// Capacity for it: no more than a firmware would reserve.
+/// Capacity of the stack of pending rays: no more than a firmware would reserve for this depth.
 const STACK: usize = 5;
 
-/// The modules of the baked scenes and what is true of each: its scene file, number format, and illumination model.
+/// Makes a module with two tests of each baked scene from its name, scene file, number format and illumination model.
 macro_rules! baked {
     ($($name:ident: $file:literal, $format:ident, $kind:ident, $model:expr;)*) => {$(
         mod $name {
@@ -64,7 +65,7 @@ baked! {
     balls_2_f32: "../scenes/balls2.nff", F32, Phong, Phong::default();
 }
 
-/// A raster that is soon drawn, on the screen of 4 : 3 that the scenes are baked for.
+/// A small raster on the screen of 4 : 3 that the scenes are baked for.
 const SMALL: Settings = Settings {
     width: 64,
     height: 40,
@@ -76,13 +77,13 @@ const SMALL: Settings = Settings {
     sampling: rta_core::sampling::Sampling::CENTER,
 };
 
-/// A scene file, from the folder of this package.
+/// Reads a scene file, named from the folder of this package.
 fn read(file: &str) -> Description {
     let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join(file);
     rta_scenes::read(&std::fs::read(path).expect("a scene file"), file).expect("a scene")
 }
 
-/// Sees that a baked scene is the one that is read and narrowed here, and that its needs are no more and no less.
+/// Asserts that a baked scene is the one that is read and narrowed here, and that its set of needs is the smallest.
 fn is_scene<S: Narrow, N: Needs>(
     scene: &Admitted<'_, S>,
     camera: &Camera<S>,

@@ -1,4 +1,5 @@
-//! The range proof against what happens: whole renders in an instrumented scalar never exceed a proved bound.
+//! The range proof against measured sizes: in pictures that are traced in an instrumented scalar, no intermediate
+//! exceeds the bound that was proved for it.
 
 use rta::paired::log::{Kind, Operation, record};
 use rta::paired::{Format, Paired};
@@ -18,7 +19,8 @@ fn value(size: Magnitude) -> f64 {
     f64::from(mantissa) * 2f64.powi(exponent)
 }
 
-/// The rows that bound the result of an operation; none where it saturates by design or is a constant of the program.
+/// Returns the rows of the proof that bound the result of an operation; none where it saturates by design or is a
+/// constant of the program.
 fn rows(operation: &Operation) -> &'static [Quantity] {
     match (operation.kind, operation.name) {
         (Kind::Length, "stretch" | "over") | (Kind::Unit, "over" | "ratio") => &[],
@@ -33,7 +35,8 @@ fn rows(operation: &Operation) -> &'static [Quantity] {
     }
 }
 
-/// Traces every eleventh pixel of every seventh row; the largest part of a bound that was used, and by which operation.
+/// Traces every eleventh pixel of every seventh row, and returns the largest share of a bound that was used, with the
+/// name of the operation; nothing where the scene does not fit the format.
 fn check<S: Format>(name: &str, scene: &Description) -> Option<(f64, &'static str)>
 where
     Paired<S>: rta_scenes::narrow::Narrow + Scalar,

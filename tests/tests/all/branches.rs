@@ -1,5 +1,5 @@
-//! Rounding errors told from flipped branches: hardly any pixel's ray tree takes another branch than in f64, and where it
-//! does not, only rounding is left, which is at most one level of a gun.
+//! Rounding errors told from flipped branches: hardly any pixel's ray tree takes another branch than in f64, and where
+//! all branches are those of f64, only rounding is left, which is at most one level of a gun.
 //!
 //! A few pixels of the hall are beyond that rule in any number format: after three reflections in small convex mirrors
 //! a step of one last place in the scene's own numbers moves them by several levels, in f64 as well. There are hardly
@@ -17,14 +17,14 @@ use rta_scenes::description::Description;
 use rta_scenes::{dat, shipped};
 use rta_tests::picture::settings;
 
-/// What a scene allows, in pixels of a hundred.
+/// Largest shares of pixels of a scene, in a hundred.
 struct Limits {
     name: &'static str,
-    /// Other branches in q16; two thirds of it in q20.
+    /// Pixels that take another branch in q16; in q20 two thirds of it are allowed.
     q16: f64,
-    /// Other branches in f32.
+    /// Pixels that take another branch in f32.
     f32: f64,
-    /// The same branches but more than a level off.
+    /// Pixels that take all branches of f64 and yet are more than a level off.
     shaky: f64,
 }
 
@@ -34,7 +34,7 @@ const LIMITS: [Limits; 3] = [
     Limits { name: "glass-2.dat", q16: 0.35, f32: 0.08, shaky: 0.0 },
 ];
 
-/// The largest difference of a register, in levels of each gun.
+/// Returns the largest difference of a register, in levels of each kind of gun.
 fn apart(a: &Pixel, b: &Pixel) -> [u8; GUNS.len()] {
     let mut most = [0; GUNS.len()];
     for ((a, b), most) in a.levels.iter().zip(&b.levels).zip(&mut most) {
@@ -44,7 +44,7 @@ fn apart(a: &Pixel, b: &Pixel) -> [u8; GUNS.len()] {
     most
 }
 
-/// The scene with each of its lengths a last place of the format up, down, or as it is.
+/// Returns the scene with each length moved by a last place of the format, up or down, or left alone, at random.
 fn stirred<S: paired::Format>(scene: &Description, seed: u64) -> Description {
     let mut rng = Rng::with_seed(seed);
     let mut step = |length: &mut f64| *length += f64::from(rng.i8(-1..=1)) * S::last_place(*length);
@@ -62,7 +62,8 @@ fn stirred<S: paired::Format>(scene: &Description, seed: u64) -> Description {
     scene
 }
 
-/// By how many levels of each gun a pixel of f64 moves when the scene's numbers are stirred.
+/// Returns the number of levels, for each kind of gun, by which a pixel of f64 changes when the scene's lengths are
+/// [`stirred`].
 fn moves(scene: &Description, format: Format, at: &Settings, i: usize) -> [u8; GUNS.len()] {
     let (x, y) = (i % at.width as usize, u32::try_from(i / at.width as usize).expect("a row"));
     let pixel = |scene: &Description| {

@@ -1,4 +1,4 @@
-//! From levels of guns through the three emulated devices and back, and into a file and back.
+//! Pictures put on the three emulated devices and read back, and written into a file and read back.
 
 use std::io::Cursor;
 
@@ -15,7 +15,7 @@ use rta_tests::golden::Indexed;
 const ALL: [Device; 3] = [Device::Vga, Device::Graphigs, Device::Pixrect];
 const TABLES: [TableKind; 3] = [TableKind::Adaptive, TableKind::Tolerant, TableKind::Uniform];
 
-/// Slopes of every gun with noise: many more colours than any table holds.
+/// Returns a picture whose registers are slopes with noise: many more colours than any table holds.
 fn levels(device: Device, size: Size) -> Vec<Rgb<u8>> {
     let max = u32::from(device.capabilities().gun_max);
     let mut dice = fastrand::Rng::with_seed(fnv1a(device.to_string().bytes()));

@@ -1,8 +1,8 @@
-//! Rays and shapes at random, in each number format: hit points lie on the surface, normals are unit, hit and miss are
-//! those of `f64` but for a margin of the silhouette, no convex object is met again by a ray that leaves it, refraction
-//! obeys Snell's law and reflection keeps lengths. Bounds are counted in roundings of the format.
+//! Random rays and shapes, in each number format: hit points lie on the surface, normals are unit vectors, hit and miss
+//! are those of `f64` outside a margin about the silhouette, no convex object is met again by a ray that leaves it,
+//! refraction obeys Snell's law and reflection keeps lengths. Bounds are counted in roundings of the format.
 
-#![allow(clippy::indexing_slicing)] // arrays of three
+#![allow(clippy::indexing_slicing, reason = "arrays of three")]
 
 use core::f64::consts::TAU;
 use core::fmt::Debug;
@@ -22,10 +22,10 @@ use rta_tests::measure::{Measure, color, direction, place, read_direction};
 
 type Triple = [f64; 3];
 
-/// Where cylinders end.
+/// Height at which cylinders end, in units of length.
 const LID: f64 = 500.0;
 
-/// What one rounding of a length of that size is.
+/// Returns the size of one rounding of a length of that size.
 fn rounding<S: Measure>(size: f64) -> f64 {
     if S::CLEARANCE > rta_core::range::Magnitude::ZERO { S::LENGTH } else { S::UNIT * size }
 }
@@ -66,7 +66,7 @@ struct Aimed {
     radii: Triple,
     origin: Triple,
     direction: Triple,
-    /// Where a ray goes that leaves: any direction.
+    /// Direction of a ray that leaves the surface: any.
     away: Triple,
 }
 
@@ -77,7 +77,7 @@ fn unit_vector() -> impl Strategy<Value = Triple> {
     })
 }
 
-/// A unit vector at right angles to another, `turn` about it.
+/// Returns a unit vector at right angles to another, turned about it by `turn` radians.
 fn across([x, y, z]: Triple, turn: f64) -> Triple {
     // Duff et al., "Building an Orthonormal Basis, Revisited", JCGT 6, 2017.
     let sign = 1.0_f64.copysign(z);
@@ -155,7 +155,7 @@ impl<S: Measure> Shape<S> {
         }
     }
 
-    /// Where a place lies, in radii from the centre: 1 on the surface.
+    /// Returns the distance of a place from the centre in radii, which is 1 on the surface.
     fn level(aimed: &Aimed, at: Triple) -> f64 {
         let radii = read::<S>(place::<S>(aimed.radii));
         let mut v = minus(at, read::<S>(place::<S>(aimed.center)));
@@ -173,7 +173,8 @@ fn ray<S: Measure>(aimed: &Aimed) -> Ray<S> {
     Ray::new::<Everything>(place::<S>(aimed.origin), direction::<S>(aimed.direction))
 }
 
-/// Of the numbers as the format has them, what `f64` says of hit and miss, unless it is too close to say.
+/// Returns whether the ray hits according to `f64`, from the numbers as the format has rounded them; nothing where it
+/// is too close to say.
 fn expected<S: Measure>(aimed: &Aimed, ray: &Ray<S>, margin: f64) -> Option<bool> {
     let origin = read::<S>(ray.origin);
     let mut d = read_direction::<S>(ray.direction);
@@ -188,7 +189,7 @@ fn expected<S: Measure>(aimed: &Aimed, ray: &Ray<S>, margin: f64) -> Option<bool
         (way[2], d[2]) = (0.0, 0.0);
     }
     let b = dot(way, d) / dot(d, d);
-    // Where the lid may be in the way of either root, it is not worth the trouble.
+    // The cylinder's end may decide: not tested here.
     let farthest = b.abs() + 1.1 / length(d);
     if aimed.kind == Kind::Cylinder && origin[2].abs() + (farthest * rise).abs() > 0.9 * LID {
         return None;
@@ -283,7 +284,8 @@ fn snell<S: Measure>(incoming: Triple, normal: Triple, ior: f64, inside: bool) -
     Ok(())
 }
 
-/// The same shapes in each run; `PROPTEST_RNG_SEED` and `PROPTEST_CASES` in the environment ask for others and for more.
+/// Each run has one seed and so the same shapes; `PROPTEST_RNG_SEED` in the environment asks for others, and
+/// `PROPTEST_CASES` for more.
 fn config() -> ProptestConfig {
     let default = ProptestConfig::default();
     let cases = if std::env::var_os("PROPTEST_CASES").is_some() { default.cases } else { 20_000 };

@@ -1,6 +1,6 @@
 //! The shipped scenes on the three devices, byte for byte, and the float formats beside them.
 //!
-//! `RTA_BLESS=1 cargo test -p rta-tests --test all golden` makes what is drawn now the golden pictures.
+//! `RTA_BLESS=1 cargo test -p rta-tests --test all golden` records the pictures that are drawn now as the golden ones.
 
 use rta::device::Device;
 use rta::engine::Format;
@@ -8,19 +8,19 @@ use rta_core::color::Rgb;
 use rta_tests::golden::{check, draw, request, scene};
 use rta_tests::picture::share_within;
 
-/// Each row of so many is compared between the formats on the two large screens.
+/// On the two large screens, one row of so many is compared between the formats.
 const STRIDE: u32 = 9;
 
-/// How near the floats are to fixed point in linear light, clamped to what a display shows, each tolerance with the
-/// share of pixels in a hundred that it holds for: a level of the VGA's guns, and one of the PIXRECT's. The rest are
-/// edges, where a rounding decides what is seen.
+/// Differences of linear light between floats and fixed point, clamped to what a display shows, each with the least
+/// share of pixels in a hundred that is within it: a level of the VGA's guns, and one of the PIXRECT's. The other
+/// pixels are edges, where a rounding decides which object is hit.
 const TOLERANCES: [(f64, f64); 2] = [(1.0 / 63.0, 99.8), (1.0 / 255.0, 99.5)];
 
 fn golden(name: &str, device: Device) {
     check(&format!("{name}-{device}"), &draw(name, device).expect("it is drawn"));
 }
 
-/// Some rows of the picture that a device is given, in linear light.
+/// Returns some rows of the picture that a device is sent, in linear light.
 fn linear(name: &str, device: Device, format: Format) -> Vec<[f64; 3]> {
     let engine = request(device, format).engine(&scene(name)).expect("it is drawn");
     let (width, height) = (engine.settings().width, engine.settings().height);

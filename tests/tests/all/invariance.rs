@@ -1,4 +1,4 @@
-//! What must not change a picture, and what must.
+//! Order of objects and recursion depth: which changes of them leave a picture as it is, and which change it how.
 
 use rta::engine::{Engine, EngineError, Format};
 use rta_core::color::Rgb;
@@ -18,7 +18,7 @@ fn q16(scene: &Description, depth: u32) -> Vec<Rgb<i32>> {
     Exact::new(scene, 160, 100).picture::<_, Everything>(Rta, depth).expect("it is drawn")
 }
 
-/// The same things in another order.
+/// Returns the scene with its objects and lamps in another order.
 fn shuffled(scene: &Description, seed: u64) -> Description {
     let (mut scene, mut dice) = (scene.clone(), fastrand::Rng::with_seed(seed));
     dice.shuffle(&mut scene.cylinders);

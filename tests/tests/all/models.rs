@@ -1,4 +1,4 @@
-//! Illumination models of a program's own, and what a cut-off leaves out, against formulas.
+//! Illumination models that a program may bring itself, and the light that a cut-off leaves out, against formulas.
 
 use core::f64::consts::PI;
 
@@ -14,7 +14,7 @@ use rta_tests::assert_close;
 use rta_tests::exact::shipped_scene;
 use rta_tests::measure::{direction, place, read_light};
 
-/// One sphere of radius 2 about the origin, under a sky of radiance 1.
+/// Returns one sphere of radius 2 about the origin, under a sky of radiance 1.
 fn ball(surface: description::Surface) -> Description {
     let mut scene = shipped_scene("glass-2");
     let sphere = scene.spheres.first().expect("it has two").clone();
@@ -56,9 +56,9 @@ fn a_cutoff_leaves_out_the_faint_rays() {
     }
 }
 
-/// Coloured glass by the law of Beer and Lambert: what has gone the way `d` through it is left with `exp(-a d)`.
+/// Coloured glass by the law of Beer and Lambert: of light on a way `d` through it, `exp(-a d)` is left.
 struct Absorbing {
-    /// Absorption of each register on one unit of the way.
+    /// Absorption coefficient `a` of each register, for a unit of length.
     absorption: [f64; 3],
 }
 
@@ -125,7 +125,7 @@ fn a_model_can_absorb_light_on_its_way() {
     }
 }
 
-/// Thin stuff that glows with the lamps behind it as well, each as bright as its solid angle.
+/// A thin material that is lit by lamps on both of its sides, each in proportion to its solid angle.
 struct Translucent;
 
 impl Illumination<f64> for Translucent {
@@ -152,7 +152,7 @@ impl Illumination<f64> for Translucent {
     }
 }
 
-/// The same without light from behind.
+/// [`Translucent`] without light from behind.
 struct OneSided;
 
 impl Illumination<f64> for OneSided {

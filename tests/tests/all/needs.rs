@@ -1,5 +1,5 @@
-//! Sets of needs: a smaller one that suffices changes no byte, one that does not is told, and what it leaves out is not
-//! drawn.
+//! Sets of needs: a small one that suffices draws the same bytes, one that does not suffice is reported, and what a set
+//! leaves out is not drawn.
 
 use rta_core::Q16;
 use rta_core::illumination::Rta;
@@ -9,7 +9,7 @@ use rta_scenes::narrow::narrow;
 use rta_tests::exact::{DEPTH, Exact, shipped_scene};
 use rta_tests::random_scenes;
 
-/// Diffuse spheres on a floor, as a small program would have them.
+/// The needs of a small program: diffuse spheres on a floor.
 struct Plain;
 
 impl Needs for Plain {
@@ -43,7 +43,7 @@ fn a_small_set_of_needs_draws_the_same_bytes() {
     assert_ne!(juggler.picture::<_, Plain>(Rta, DEPTH), juggler.picture::<_, Everything>(Rta, DEPTH));
 }
 
-/// Makes for each constant of `Needs` the set that lacks only that, and what `missing` says of it.
+/// Returns for each constant of `Needs` its name, and the answer of `missing` for the set that lacks this one alone.
 macro_rules! without {
     ($scene:expr, $($need:ident)*) => {
         [$({

@@ -1,4 +1,4 @@
-//! The fixed-point operations against `f64` on the same quantised operands, over their whole ranges.
+//! The fixed-point operations against `f64`, on operands that both formats hold exactly, over their whole ranges.
 #![allow(clippy::float_arithmetic)]
 
 use fastrand::Rng;
@@ -11,7 +11,7 @@ type Component = <Q16 as Scalar>::Unit;
 
 const UNIT_LSB: f64 = 1.0 / (1u64 << 30) as f64;
 
-/// A number whose size is spread evenly over the powers of two from `low` to `high`.
+/// Returns a random number whose logarithm is uniform between those of `low` and `high`.
 fn spread(dice: &mut Rng, low: f64, high: f64) -> f64 {
     low * (high / low).powf(dice.f64())
 }
@@ -132,7 +132,7 @@ fn tiles_far_beyond_the_format_are_those_of_exact_arithmetic() {
     }
 }
 
-/// A unit's value: its size, and its sign.
+/// Returns a unit's value, from its size and its sign.
 fn unit_to_f64<S: Scalar>(unit: S::Unit) -> f64 {
     let (mantissa, exponent) = unit.size().parts();
     let size = f64::from(mantissa) * 2f64.powi(exponent.max(-1000));

@@ -1,4 +1,4 @@
-//! The study of error against run time: its measures, its samples, its short cuts, and the study of a small raster.
+//! The study of error against run time: its measures, its short cuts, and a study of a small raster.
 #![allow(clippy::indexing_slicing, reason = "a test may panic")]
 
 use core::sync::atomic::{AtomicBool, AtomicU64, Ordering};
@@ -79,7 +79,7 @@ fn medians() {
     );
 }
 
-/// A model that counts the rays it is told of.
+/// A model that counts the rays of each kind.
 #[derive(Clone, Copy)]
 struct Counting<'a>(&'a [AtomicU64; 4]);
 
@@ -104,7 +104,7 @@ impl<S: Scalar> Illumination<S> for Counting<'_> {
     }
 }
 
-/// Picture and rays of one setting, traced with that setting.
+/// Returns the picture of one setting and the number of rays of each kind, traced with this setting alone.
 fn traced<S: Narrow>(
     scene: &Description,
     limit: Limit,
@@ -187,7 +187,7 @@ fn tiny() -> (Vec<Study>, Vec<u8>) {
     (studies, csv)
 }
 
-/// All columns but the last, the CPU seconds.
+/// Returns the lines without their last column, which is CPU seconds and so not repeatable.
 fn lasting(csv: &[u8]) -> Vec<String> {
     let text = core::str::from_utf8(csv).expect("text");
     text.lines().map(|line| line.rsplit_once(',').expect("columns").0.to_owned()).collect()

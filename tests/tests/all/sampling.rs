@@ -1,4 +1,6 @@
-//! Several samples a pixel and rays that are cut off: where samples lie, what their mean is, and what changes a picture.
+//! Several samples a pixel, and a cut-off: the places and the mean of samples, and the pictures that they change.
+
+#![allow(clippy::indexing_slicing, reason = "a test may panic")]
 
 use rta::engine::{Engine, Format, Settings};
 use rta::sampling::Cutoff;
@@ -15,7 +17,7 @@ fn grid(side: u8) -> Sampling {
     Sampling::grid(side).expect("a grid of that size")
 }
 
-/// Places as floats, one LSB of a unit being 2^-30 in fixed point.
+/// Returns the places of a pixel's samples as floats; one LSB of a fixed-point unit is 2^-30.
 fn places<S: Narrow>(
     sampling: Sampling,
     raster: Raster,

@@ -1,8 +1,9 @@
-//! Single rays at single objects, against f64 on the same rounded numbers: what the arithmetic itself loses.
+//! Single rays at single objects, against f64 on the numbers as the format has rounded them: the errors of the
+//! arithmetic alone.
 //!
 //! Rays go from a place at a distance to a place on a disc that is slightly wider than the silhouette, so grazing ones
 //! are among them. Two distances are compared with the exact root: that of the search, `intersect`, and that of the
-//! second look, `spot`, from which the tracer goes on. Limits are those of `spot`; `intersect` decides what is hit.
+//! second look, `spot`, from which the tracer goes on. The limits are those of `spot`; `intersect` decides hit or miss.
 
 #![allow(clippy::indexing_slicing, reason = "a test may panic")]
 
@@ -17,15 +18,15 @@ use rta_core::shape::{Cylinder, Ellipsoid, Sphere};
 use rta_core::vector::{UnitVec3, Vec3, Vector};
 use rta_core::{Q16, Q20};
 
-/// Rays at a sphere.
+/// Number of rays at a sphere.
 const RAYS: u32 = 400_000;
-/// Rays at an ellipsoid or a cylinder.
+/// Number of rays at an ellipsoid or a cylinder.
 const FEWER: u32 = 100_000;
 
 /// How much wider than the object the disc is at which rays are aimed.
 const WIDER: f64 = 1.02;
 
-/// What rays are shot at.
+/// An object that rays are shot at.
 #[derive(Clone, Copy, Debug)]
 enum Target {
     Sphere(f64),
@@ -33,15 +34,15 @@ enum Target {
     Cylinder(f64),
 }
 
-/// What came of it.
+/// The errors of all rays at one object.
 #[derive(Debug)]
 struct Row {
     /// Root mean square error of the distance by the search, and by the second look.
     search: f64,
     spot: f64,
-    /// Half of the second look's errors are smaller.
+    /// Median of the second look's errors.
     median: f64,
-    /// Hits that f64 has not, and hits that only f64 has.
+    /// Number of hits that f64 does not have, and of those that only f64 has.
     wrong: u32,
 }
 
@@ -61,7 +62,7 @@ fn along(a: [f64; 3], b: [f64; 3], t: f64) -> [f64; 3] {
     [a[0] + t * b[0], a[1] + t * b[1], a[2] + t * b[2]]
 }
 
-/// A random place in the ball of radius 1.
+/// Returns a random place in the ball of radius 1.
 fn in_ball(rng: &mut Rng) -> [f64; 3] {
     loop {
         let p = [0; 3].map(|_| 2.0 * rng.f64() - 1.0);
@@ -71,7 +72,8 @@ fn in_ball(rng: &mut Rng) -> [f64; 3] {
     }
 }
 
-/// A place that far from `center`; one of 1000 from end to end of the shortest format's world.
+/// Returns an eye and a centre at this distance; where it is 1000, at opposite ends of the shortest format's range. If
+/// `flat`, the line between them has an elevation of at most 60 degrees.
 fn viewpoint(rng: &mut Rng, distance: f64, flat: bool) -> ([f64; 3], [f64; 3]) {
     if distance > 500.0 {
         let mut side = || 20.0 * rng.f64() - 10.0;
@@ -86,8 +88,9 @@ fn viewpoint(rng: &mut Rng, distance: f64, flat: bool) -> ([f64; 3], [f64; 3]) {
     (along(center, v, distance / dot(v, v).sqrt()), center)
 }
 
-/// Where a ray from `origin` is aimed: on the disc through the centre that faces the eye, where the object is a sphere
-/// of radius 1 (an affine map takes silhouettes to silhouettes); across a cylinder.
+/// Returns the place that a ray from `origin` is aimed at: on the disc through the centre that faces the eye, in the
+/// space where the object is a sphere of radius 1 (an affine map takes silhouettes to silhouettes); for a cylinder, on
+/// the line across it.
 fn aim(rng: &mut Rng, target: Target, origin: [f64; 3], center: [f64; 3]) -> [f64; 3] {
     let radii = match target {
         Target::Sphere(radius) => [radius; 3],
@@ -105,7 +108,7 @@ fn aim(rng: &mut Rng, target: Target, origin: [f64; 3], center: [f64; 3]) -> [f6
     [0, 1, 2].map(|i| center[i] + radii[i] * size * p[i])
 }
 
-/// The nearest positive root of a sphere of radius 1 around 0, for a direction of any length.
+/// Returns the smallest positive root of a sphere of radius 1 about 0, for a direction of any length.
 fn root(origin: [f64; 3], direction: [f64; 3]) -> Option<f64> {
     let square = dot(direction, direction);
     let past = -dot(origin, direction) / square;
@@ -149,12 +152,13 @@ fn shoot<S: Format>(target: Target, distance: f64) -> Row {
     }
     let hits = errors.len();
     assert!(hits > rays as usize / 2, "most rays hit: {hits}");
-    errors.sort_by(f64::total_cmp);
+    let (_, &mut median, _) = errors.select_nth_unstable_by(hits / 2, f64::total_cmp);
     let rms = |sum: f64| (sum / hits as f64).sqrt();
-    Row { search: rms(search), spot: rms(spot), median: errors[hits / 2], wrong }
+    Row { search: rms(search), spot: rms(spot), median, wrong }
 }
 
-/// Both distances in the format, and the exact one for the same radii, origin (from the centre) and direction.
+/// Returns the distances of the search and of the second look in the format, and the exact one for these radii, origin
+/// (from the centre) and direction.
 fn meet<S: Format>(
     target: Target,
     ray: &Ray<S>,
@@ -188,7 +192,7 @@ fn meet<S: Format>(
     }
 }
 
-/// What a format may do at a target: rms error of the second look, and wrong hits or misses of all rays.
+/// Limits of a format at a target: rms error of the second look, and number of wrong hits or misses.
 type Limit = (f64, u32);
 
 /// A row of the table: name, target, distance, and the limits of q16, q20 and f32.
@@ -220,8 +224,8 @@ fn check(cases: &[Case]) {
 
 /// In fixed point the difference of two places is exact and the second look rounds the distance once: an LSB over the
 /// root of 12, whatever the distance. In f32 that difference is rounded to the size of the coordinates, and it shows.
-/// Wrong hits and misses are those of the search: its foot point is rounded to an LSB, which is a larger part of a small
-/// radius.
+/// Wrong hits and misses are those of the search: its foot point is rounded to an LSB, which is a larger part of a
+/// small radius.
 #[test]
 fn spheres() {
     let ball = Target::Sphere(1.0);
@@ -233,9 +237,9 @@ fn spheres() {
     ]);
 }
 
-/// Axes of 1 : 1000, a coin and a needle. The ray is looked at from beside the centre with the largest radius as the unit
-/// and then squashed, in units of 2^-30: a thin axis of 0.001 keeps 20 bits of its size. What is lost along a ray that
-/// runs in the plane of a coin comes back divided by the squashed direction's length, so the bounds are those of
+/// Axes of 1 : 1000, a coin and a needle. The ray is looked at from beside the centre with the largest radius as the
+/// unit and then squashed, in units of 2^-30: a thin axis of 0.001 keeps 20 bits of its size. What is lost along a ray
+/// that runs in the plane of a coin comes back divided by the squashed direction's length, so the bounds are those of
 /// spheres, not smaller, though the search already has the second look's precision.
 #[test]
 fn ellipsoids() {

@@ -1,5 +1,5 @@
-//! Cones and triangles against what a walk along the ray in f64 finds: where it goes through a surface, a hit must be, and
-//! where a hit is, there must be the surface, with its normal.
+//! Cones and triangles against a walk along the ray in f64: where the walk goes through a surface there must be a hit,
+//! and where a hit is, there must be the surface, with its normal.
 
 #![allow(clippy::indexing_slicing, reason = "a test may panic")]
 
@@ -34,12 +34,12 @@ fn unit(v: Triple) -> Triple {
     v.map(|c| c / dot(v, v).sqrt())
 }
 
-/// A place in a cube about 0.
+/// Returns a random place in a cube about 0.
 fn within(rng: &mut Rng, half: f64) -> Triple {
     [(); 3].map(|()| half * (2.0 * rng.f64() - 1.0))
 }
 
-/// A ray from some way off to somewhere near an object, or from among it.
+/// Returns origin and direction of a ray from some distance to a place near an object; one in four starts near it.
 fn aim(rng: &mut Rng, center: Triple, size: f64) -> (Triple, Triple) {
     let far = if rng.u8(..4) == 0 { 1.2 * size } else { 30.0 };
     let from = along(center, within(rng, far), 1.0);
@@ -47,7 +47,7 @@ fn aim(rng: &mut Rng, center: Triple, size: f64) -> (Triple, Triple) {
     (from, unit(minus(to, from)))
 }
 
-/// What the format makes of the ray: its origin, direction and nearest hit.
+/// A ray as the format has rounded it, and its nearest hit: distance, point and normal.
 struct Shot {
     origin: Triple,
     direction: Triple,
@@ -79,7 +79,7 @@ fn empty() -> Description {
 const COLOR: Triple = [0.5; 3];
 const SURFACE: Surface = Surface::Opaque;
 
-/// A cone as distance from the axis over height, both of them in f64.
+/// A cone in f64: its unit axis and its height.
 struct Profile<'a>(&'a Cone, Triple, f64);
 
 impl<'a> Profile<'a> {
@@ -87,7 +87,8 @@ impl<'a> Profile<'a> {
         let way = minus(cone.apex, cone.base);
         Self(cone, unit(way), dot(way, way).sqrt())
     }
-    /// Height over the base, and how far outside of the side's line.
+    /// Returns a place's height over the base, and how far it is outside of the cone's side, at right angles to the
+    /// axis.
     fn at(&self, p: Triple) -> (f64, f64) {
         let from = minus(p, self.0.base);
         let z = dot(from, self.1);
@@ -97,7 +98,7 @@ impl<'a> Profile<'a> {
     fn radius(&self, z: f64) -> f64 {
         self.0.base_radius + (self.0.apex_radius - self.0.base_radius) * z / self.2
     }
-    /// How far a place is off the surface that is there, as far as the cone goes.
+    /// Returns how far a place is off the nearest part of the surface; infinity beyond the ends of the cone.
     fn off(&self, p: Triple) -> f64 {
         let (z, outside) = self.at(p);
         let height = self.2;
@@ -109,7 +110,7 @@ impl<'a> Profile<'a> {
     }
 }
 
-/// Where the ray surely goes through the cone for the first time: between two distances.
+/// Returns two distances between which the ray surely goes through the cone for the first time.
 fn passage(cone: &Cone, from: Triple, d: Triple, sure: f64) -> Option<[f64; 2]> {
     let profile = Profile::new(cone);
     let (center, reach) = (along(cone.base, minus(cone.apex, cone.base), 0.5), profile.2 + 2.0);

@@ -1,5 +1,8 @@
-//! The stability suite with few rays, in a build that checks every operation: nothing happens that must not, in any
-//! format, on any case that the format admits. `rta stability` is the same with many rays and prints the errors.
+//! The stability suite with few rays, in a build that checks every operation: no overflow, no panic and no acne, in any
+//! format, on any case that the format admits. `rta stability` runs it with many rays and prints the errors.
+
+use std::sync::LazyLock;
+use std::thread;
 
 use rta::stability::measure::Outcome;
 use rta::stability::{FORMATS, Row, cases, rows, table};
@@ -7,14 +10,23 @@ use rta::stability::{FORMATS, Row, cases, rows, table};
 /// Rays from the eye of each case, and half as many points that are looked at for acne.
 const RAYS: usize = 2000;
 
-fn suite() -> Vec<Row> {
-    rows(&cases::all(), RAYS, |_| ()).expect("nothing interrupts it")
-}
+/// The rows of the suite, traced once for both tests.
+static SUITE: LazyLock<Vec<Row>> = LazyLock::new(|| {
+    let cases = cases::all();
+    let suite = |cases| rows(cases, RAYS, |_| ()).expect("nothing interrupts it");
+    let (some, others) = cases.split_at(cases.len() / 2);
+    thread::scope(|threads| {
+        let some = threads.spawn(|| suite(some));
+        let others = suite(others);
+        let some = some.join().expect("no panic");
+        [some, others].concat()
+    })
+});
 
 #[test]
 #[cfg_attr(not(debug_assertions), ignore = "only debug assertions find an overflow")]
 fn nothing_happens_that_must_not() {
-    let rows = suite();
+    let rows = &*SUITE;
     let unsound: Vec<Row> = rows
         .iter()
         .filter(|row| matches!(&row.outcome, Outcome::Traced(measured) if !measured.is_sound()))
@@ -24,7 +36,7 @@ fn nothing_happens_that_must_not() {
     // Each case is put to every format, refused only where the format is too short or too coarse for it, and f32 is
     // neither.
     assert_eq!(rows.len(), FORMATS.len() * cases::all().len());
-    for Row { case, format, outcome } in &rows {
+    for Row { case, format, outcome } in rows {
         match outcome {
             Outcome::Traced(measured) => {
                 assert!(measured.rays >= measured.samples as u64, "{case}, {format}")
@@ -43,7 +55,7 @@ fn errors_are_small_where_the_case_is_no_cliff() {
     let smooth =
         ["radius 1 at distance 400", "eye inside a mirror ball", "no lamp", "no object", "eye on the floor"];
     let mut seen = 0;
-    for Row { case, format, outcome } in suite().iter().filter(|row| smooth.contains(&row.case)) {
+    for Row { case, format, outcome } in SUITE.iter().filter(|row| smooth.contains(&row.case)) {
         let Outcome::Traced(measured) = outcome else { panic!("{case} is refused in {format}") };
         assert!(measured.p99 < 0.02 && measured.wrong == 0, "{case}, {format}: {measured:?}");
         seen += 1;

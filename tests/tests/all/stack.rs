@@ -1,4 +1,4 @@
-//! What the ray tree costs: bytes of the stack of pending rays.
+//! Bytes of the stack of pending rays.
 //!
 //! A pending ray is an origin (three lengths), a direction (three units), a weight (three units in `Rta`, which
 //! colours what mirrors reflect; one in `Whitted`) and a depth, each aligned to its words. The stack holds one for each

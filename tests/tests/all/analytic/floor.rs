@@ -1,5 +1,7 @@
 //! The sky, the tiles of the floor, and a shadow on it.
 
+#![allow(clippy::indexing_slicing, reason = "arrays of three")]
+
 use rta_core::illumination::Rta;
 use rta_core::material::Material;
 use rta_core::scene::{Scene, Sky};
@@ -30,8 +32,8 @@ fn sky<S: Measure>() {
     }
 }
 
-/// The edge of a sphere's shadow on the floor is where the cone around it from the lamp meets the floor: a circle
-/// below, an ellipse aside.
+/// The edge of a sphere's shadow on the floor is where the cone from the lamp around the sphere meets the floor: a
+/// circle below the lamp, an ellipse aside of it.
 fn shadow_of_a_sphere<S: Measure>() {
     let (center, radius) = ([0.0, 0.0, 5.0], 1.0);
     let eye = [14.0, -17.0, 2.5];
@@ -76,7 +78,7 @@ fn shadow_of_a_sphere<S: Measure>() {
     }
 }
 
-/// The colours of the far and near floors: red where the tile is even, green where it is odd.
+/// Returns the colour of a tile of the floors here: red where it is even, green where it is odd.
 fn tile(x: f64, y: f64) -> [f64; 3] {
     // From -1 to 1 for an odd sum, whatever its sign.
     let odd = ((x / 3.0).floor() + (y / 3.0).floor()).rem_euclid(2.0) > 0.5;
@@ -103,7 +105,7 @@ fn tiles<S: Measure>() {
     }
 }
 
-/// Up to a million units away, and so beyond what Q16.16 can hold, a place has the colour of its tile.
+/// A place has the colour of its tile up to a million units away, which is farther than Q16.16 can hold.
 fn far_floor<S: Measure>() {
     let scene = Scene {
         floor: Some(floor([1.0, 0.0, 0.0], [0.0, 1.0, 0.0])),

@@ -1,5 +1,7 @@
 //! Mirrors and glass: Snell's law, total reflection, and where the light goes.
 
+#![allow(clippy::indexing_slicing, reason = "arrays of three")]
+
 use rta_core::illumination::{Rta, Surface};
 use rta_core::material::Material;
 use rta_core::scene::{Scene, Sky};
@@ -14,7 +16,8 @@ in_every_format! {
     snell total_internal_reflection nothing_leaves_beyond_the_critical_angle mirror glass_keeps_all_light
 }
 
-/// What becomes of a ray that falls at `degrees` on a horizontal face of glass.
+/// Returns the direction in which a ray goes on that falls at `degrees` on a horizontal face of glass; nothing where it
+/// is totally reflected.
 fn refracted<S: Measure>(degrees: f64, ior: f64, inside: bool) -> Option<[f64; 3]> {
     let (sine, cosine) = degrees.to_radians().sin_cos();
     let glass = glass::<S>(0.0, ior);
@@ -66,7 +69,7 @@ fn total_internal_reflection<S: Measure>() {
     }
 }
 
-/// In a sphere a ray meets the surface at the same angle again and again.
+/// In a sphere all meetings with the surface are at one angle, so a ray is totally reflected at all of them or at none.
 fn nothing_leaves_beyond_the_critical_angle<S: Measure>() {
     let ball = [sphere([0.0; 3], 2.0, WHITE, Material::Transparent(glass::<S>(0.1, 1.5)))];
     let uniform = Sky { horizon: light::<S>(WHITE), zenith: light::<S>(WHITE) };
@@ -104,8 +107,8 @@ fn mirror<S: Measure>() {
     }
 }
 
-/// Through one glass sphere under a sky of radiance 1 all light arrives but for what depth cuts off: outside ks is
-/// reflected, inside kt leaves at each meeting, so that depth D leaves out kt ks^(D - 1).
+/// Through one glass sphere under a sky of radiance 1 all light arrives that the depth does not cut off. Outside, ks is
+/// reflected; inside, kt leaves at each meeting: depth D leaves out kt ks^(D - 1).
 fn glass_keeps_all_light<S: Measure>() {
     let uniform = Sky { horizon: light::<S>(WHITE), zenith: light::<S>(WHITE) };
     for (ks, ior) in [(0.3_f64, 1.5), (0.12, 1.52), (0.3, 1.0)] {

@@ -1,4 +1,6 @@
-//! What lamps and ambient light bring to a surface, in each model.
+//! Direct and ambient light on a surface, in each model.
+
+#![allow(clippy::indexing_slicing, reason = "arrays of three")]
 
 use rta_core::illumination::{Illumination, Rta, Whitted};
 use rta_core::light::Incident;
@@ -66,7 +68,7 @@ fn lamp_seen<S: Measure>() {
     assert_eq!(see(scene, Rta, 0, [0.0; 3], [0.0, 1.0, 0.0]), BLACK, "radius 0 is never seen");
 }
 
-/// A place on top of a unit sphere, seen at 40 degrees from the normal, with a lamp on the other side.
+/// Returns the radiance of the top of a unit sphere, seen at 40 degrees from the normal, with a lamp on the other side.
 fn on_top<S: Measure>(
     model: impl Illumination<S>,
     material: Material<S>,
@@ -122,7 +124,8 @@ fn attenuation<S: Measure>() {
     }
 }
 
-/// Within 13 degrees of the reflected ray a lamp shows its full intensity, whatever its distance and the colour.
+/// Within 13 degrees of the reflected ray a lamp is seen with its full intensity, whatever its distance and the
+/// surface's colour.
 fn glint<S: Measure>() {
     let (tint, intensity, ambient) = ([0.9, 0.5, 0.1], [0.8, 0.4, 0.6], [0.1, 0.2, 0.3]);
     for (offset, inside) in [(0.0_f64, true), (12.95, true), (-12.95, true), (13.05, false), (-13.05, false)]

@@ -1,7 +1,7 @@
 //! Hashes of the linear light of small pictures, which tell whether a change of the code has changed a picture.
 //!
-//! The pictures are traced as `rta render --device none --fit --size 46x35 --aspect 4:3` traces them, and hashed bit for
-//! bit in their own number format, before any rounding to levels.
+//! The pictures are traced as `rta render --device none --fit --size 46x35 --aspect 4:3` traces them, and hashed bit
+//! for bit in their own number format, before any rounding to levels.
 
 use rta::engine::{Format, MAX_DEPTH, Model};
 use rta_core::color::Rgb;
@@ -16,27 +16,26 @@ use rta_scenes::description::{self, Description};
 use rta_scenes::fit::fit;
 use rta_scenes::narrow::{Narrow, Narrowed, narrow};
 
-use crate::exact::fnv1a;
+use rta_tests::exact::fnv1a;
 
 /// Width and height of the pictures in pixels. The width is no multiple of 4, so that packets of four pixels end early.
-pub const SIZE: (u32, u32) = (46, 35);
+pub(super) const SIZE: (u32, u32) = (46, 35);
 
 /// Width over height of the screen.
-pub const ASPECT: f64 = 4.0 / 3.0;
+pub(super) const ASPECT: f64 = 4.0 / 3.0;
 
 /// The number formats.
-pub const FORMATS: [Format; 4] = [Format::F32, Format::F64, Format::Q16, Format::Q20];
+pub(super) const FORMATS: [Format; 4] = [Format::F32, Format::F64, Format::Q16, Format::Q20];
 
 /// The illumination models.
-pub const MODELS: [Model; 3] = [Model::Rta, Model::Whitted, Model::Phong];
+pub(super) const MODELS: [Model; 3] = [Model::Rta, Model::Whitted, Model::Phong];
 
 /// Recursion depth and samples a pixel.
-pub const SETTINGS: [(u32, u8); 4] = [(0, 1), (0, 4), (5, 1), (5, 4)];
+pub(super) const SETTINGS: [(u32, u8); 4] = [(0, 1), (0, 4), (5, 1), (5, 4)];
 
 /// Draws a scene with each of [`SETTINGS`] and returns the hashes of the pictures in that order; `None` where the scene
 /// cannot be drawn in this format, not even scaled.
-#[must_use]
-pub fn hashes(scene: &Description, format: Format, model: Model) -> [Option<u64>; SETTINGS.len()] {
+pub(super) fn hashes(scene: &Description, format: Format, model: Model) -> [Option<u64>; SETTINGS.len()] {
     match format {
         Format::F32 => in_format::<f32>(scene, model),
         Format::F64 => in_format::<f64>(scene, model),
@@ -47,7 +46,7 @@ pub fn hashes(scene: &Description, format: Format, model: Model) -> [Option<u64>
 
 /// A number format whose radiance has bits.
 trait Bits: Narrow {
-    /// All bits of a radiance.
+    /// Returns all bits of a radiance.
     fn bits(light: Self::Light) -> u64;
 }
 
@@ -84,7 +83,7 @@ fn in_format<S: Bits>(scene: &Description, model: Model) -> [Option<u64>; SETTIN
     })
 }
 
-/// The scene in a number format, scaled as `--fit` scales it where it does not fit as it is; nothing where no scale helps.
+/// Returns the scene in a number format, scaled as `--fit` scales it if it does not fit; nothing if no scale helps.
 fn fitted<S: Narrow>(scene: &Description, model: Model) -> Option<Narrowed<S>> {
     let admitted = |scene: &Description| {
         let narrowed = narrow::<S>(scene, ASPECT).ok()?;
@@ -103,7 +102,7 @@ fn fitted<S: Narrow>(scene: &Description, model: Model) -> Option<Narrowed<S>> {
     admitted(&scene.scaled(factor).ok()?)
 }
 
-/// The hash of a picture: of red, green and blue of each pixel, eight bytes each, little endian.
+/// Returns the hash of a picture: of red, green and blue of each pixel, eight bytes each, little endian.
 fn drawn<S: Bits, M: Illumination<S>>(
     scene: &Narrowed<S>,
     model: M,

@@ -11,7 +11,10 @@ use std::{env, fs, thread};
 
 use rta::engine::{Format, Model};
 use rta_scenes::description::Description;
-use rta_tests::baseline::{FORMATS, MODELS, SETTINGS, SIZE, hashes};
+
+use draw::{FORMATS, MODELS, SETTINGS, SIZE, hashes};
+
+mod draw;
 
 /// Folders of this repository whose scene files are drawn.
 const FOLDERS: [&str; 3] = ["scenes", "tests/scenes", "tests/scenes/spd"];
