@@ -1,7 +1,7 @@
 //! The pinhole camera (rta-model section 2).
 
+use crate::scalar::vector::{UnitVec3, UnitVector, Vec3};
 use crate::scalar::{Scalar, Unit};
-use crate::vector::{UnitVec3, UnitVector, Vec3};
 
 /// Shape of the pyramid of vision: only the ratios of the three numbers matter, and the largest is 1.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -23,6 +23,7 @@ impl<T> Rgb<T> {
     }
 
     /// Applies `f` to each register.
+    #[inline]
     pub fn map<U>(self, mut f: impl FnMut(T) -> U) -> Rgb<U> {
         Rgb { r: f(self.r), g: f(self.g), b: f(self.b) }
     }
@@ -30,6 +31,7 @@ impl<T> Rgb<T> {
 
 impl<T> Rgb<T> {
     /// Applies `f` to each pair of registers.
+    #[inline]
     pub fn zip<U, V>(self, other: Rgb<U>, mut f: impl FnMut(T, U) -> V) -> Rgb<V> {
         Rgb { r: f(self.r, other.r), g: f(self.g, other.g), b: f(self.b, other.b) }
     }
@@ -40,11 +42,13 @@ impl<L: Light> Rgb<L> {
     pub const BLACK: Self = Self::new(L::ZERO, L::ZERO, L::ZERO);
 
     /// The sum of two lights.
+    #[inline]
     pub fn plus(self, other: Self) -> Self {
         self.zip(other, L::plus)
     }
 
     /// The nearest levels `0..=max` of a display's guns, whose level `max` is radiance 1; what is brighter is that too.
+    #[inline]
     pub fn levels(self, max: u8) -> Rgb<u8> {
         self.map(|light| light.level(max))
     }

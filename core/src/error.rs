@@ -40,7 +40,7 @@ impl fmt::Display for Error {
                 write!(f, "a recursion depth of {depth} exceeds the ray stack's capacity of {capacity}")
             }
             Self::Raster { width, height } => {
-                let most = crate::raster::Raster::MAX_SIDE;
+                let most = u16::MAX;
                 write!(f, "a raster of {width} x {height} pixels: each side must be 1 to {most}")
             }
         }

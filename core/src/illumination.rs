@@ -5,10 +5,9 @@
 
 use crate::color::Rgb;
 use crate::light::Incident;
-use crate::material::Material;
 use crate::needs::Needs;
 use crate::scalar::{Light, Scalar, Unit};
-use crate::vector::{UnitVec3, Vec3};
+use crate::surface::Surface;
 
 /// Declares the module of each model, and lets other crates repeat something for each of them.
 macro_rules! models {
@@ -44,38 +43,6 @@ models! { ($)
     rta: Rta = "rta", "The thesis's: Whitted's with attenuated lamps and cut-out highlights";
     whitted: Whitted = "whitted", "Whitted 1980: lamps are not attenuated, highlights are powers of a cosine";
     phong: Phong = "phong", "Phong 1975 with Whitted's rays, the model of NFF: highlights are around the reflected ray";
-}
-
-/// The point that a model is asked about.
-#[derive(Clone, Copy, Debug)]
-pub struct Surface<'a, S: Scalar> {
-    /// The place.
-    pub point: Vec3<S>,
-    /// Unit normal, turned towards the ray's origin. The other side's is its negative.
-    pub normal: UnitVec3<S>,
-    /// Unit direction of the ray that came here: the view direction is its negative.
-    pub incoming: UnitVec3<S>,
-    /// How far the ray came; where it came from [`Surface::inside`], that is its way through the material.
-    pub distance: S,
-    /// Whether the ray hit the surface from the inside.
-    pub inside: bool,
-    /// Reflectance.
-    pub color: Rgb<S::Unit>,
-    /// What the surface does with light.
-    pub material: &'a Material<S>,
-}
-
-/// What a ray is traced for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum RayKind {
-    /// From the eye.
-    Primary,
-    /// Reflected, also by total internal reflection.
-    Reflected,
-    /// Transmitted.
-    Transmitted,
-    /// To a lamp.
-    Shadow,
 }
 
 /// The rays that a point wants traced, and what part of their light it sends back.
@@ -119,21 +86,6 @@ pub trait Illumination<S: Scalar>: Send + Sync {
 
     /// The secondary rays that the point wants.
     fn secondary<N: Needs>(&self, surface: &Surface<S>) -> Secondary<Self::Weight>;
-
-    /// Told of each ray before it is traced: for counting them. Does nothing unless a model wants it. Rays come pixel by pixel,
-    /// but in `f32` from a loop over all of [`Pixels`](crate::raster::Pixels), as `for_each` is, those of four pixels among each other.
-    #[inline]
-    fn note(&self, _kind: RayKind) {}
-
-    /// Told of the light that a ray has met which met no surface: a lamp's or the sky's. Does nothing unless a model
-    /// wants it.
-    #[inline]
-    fn note_light(&self, _light: Rgb<S::Light>) {}
-
-    /// Told what part of the lamp's light comes through that [`Illumination::direct`] was asked about last; or, among the rays of
-    /// four pixels, of one of the last four. Does nothing unless a model wants it.
-    #[inline]
-    fn note_shadow(&self, _part: S::Unit) {}
 }
 
 /// What part of a ray's light arrives in the pixel.

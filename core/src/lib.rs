@@ -8,10 +8,12 @@
 //!
 //! | step | where |
 //! | --- | --- |
-//! | [`raster::Pixels`] picks the pixel, or [`sampling::Supersampled`] with several samples in it | `raster.rs`, `sampling.rs` |
+//! | [`raster::Pixels`] picks the pixel and the places of its samples | `raster.rs`, `raster/sampling.rs` |
 //! | [`camera::Camera`] makes the primary ray | `camera.rs` |
-//! | [`trace::Tracer`] pops a pending ray, asks the scene, asks the model, pushes what the model wants traced | `trace.rs` |
-//! | [`scene::Scene`] finds the nearest hit, by a hierarchy where there is one | `scene.rs`, `lanes.rs`, `bvh.rs`, `hierarchy.rs`, `shape/*.rs` |
+//! | [`trace::Tracer`] pops a pending ray, asks the accelerator and the model, pushes what is to be traced next | `trace.rs`, `trace/decision.rs` |
+//! | the [`accelerator::Accelerator`] finds the nearest hit, and what part of a lamp's light comes through | `accelerator.rs`, `accelerator/*.rs` |
+//! | [`scene::Scene`] enumerates its lists; each [`shape::Primitive`] says where a ray meets it | `scene.rs`, `shape/*.rs` |
+//! | [`world::World`] says what is seen there: a [`surface::Surface`], the sky, a lamp | `world.rs`, `surface.rs` |
 //! | the [`illumination::Illumination`] model says what the point sends back | `illumination/*.rs` |
 //! | [`light::Incident`] is what of a lamp arrives there | `light.rs` |
 //! | [`color`] rounds the light to the levels of a display | `color.rs` |
@@ -39,42 +41,43 @@
 #![no_std]
 #![forbid(unsafe_code)]
 
-pub mod bvh;
+pub mod accelerator;
 pub mod camera;
 pub mod color;
 mod error;
-pub mod hierarchy;
 pub mod illumination;
-pub mod lanes;
 pub mod light;
 pub mod material;
 pub mod needs;
 pub mod range;
 pub mod raster;
 pub mod ray;
-pub mod sampling;
 pub mod scalar;
 pub mod scene;
 pub mod shape;
+pub mod surface;
 pub mod trace;
-pub mod vector;
+pub mod used;
+pub mod world;
 
 pub use error::Error;
-pub use scalar::{Q16, Q20, Scalar};
+pub use raster::sampling;
+pub use scalar::{Q16, Q20, Scalar, vector};
 
 /// What a program that draws a picture needs, in one `use`.
 pub mod prelude {
+    pub use crate::accelerator::{Accelerator, Bvh, Lists};
     pub use crate::camera::{Camera, Lens};
     pub use crate::color::Rgb;
     pub use crate::illumination::{Illumination, Phong, Rta, Whitted};
     pub use crate::light::Lamp;
     pub use crate::material::Material;
     pub use crate::needs::{Everything, Needs};
+    pub use crate::raster::sampling::{Places, Sampling};
     pub use crate::raster::{Pixels, Raster};
-    pub use crate::sampling::{Sampling, Supersampled};
+    pub use crate::scalar::vector::{LengthVector, UnitVec3, UnitVector, Vec3, Vector, Xyz};
     pub use crate::scalar::{Light, Scalar, Unit};
-    pub use crate::scene::{Floor, Scene, Sky};
-    pub use crate::shape::{Cone, Cylinder, Ellipsoid, Sphere, Triangle};
+    pub use crate::scene::{Scene, Sky};
+    pub use crate::shape::*;
     pub use crate::trace::Tracer;
-    pub use crate::vector::{LengthVector, UnitVec3, UnitVector, Vec3, Vector, Xyz};
 }

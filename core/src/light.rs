@@ -1,8 +1,8 @@
 //! Lamps, and what of a lamp arrives at a point.
 
 use crate::color::Rgb;
+use crate::scalar::vector::{LengthVector, UnitVec3, UnitVector, Vec3};
 use crate::scalar::{Light, Scalar, Unit};
-use crate::vector::{LengthVector, UnitVec3, UnitVector, Vec3};
 
 /// A lamp: it shines from its centre, and is seen as a sphere (not at all where the radius is 0). It casts no shadow.
 #[derive(Clone, Copy, Debug)]

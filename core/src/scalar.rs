@@ -18,18 +18,15 @@
 use core::fmt::Debug;
 use core::ops::{Add, Neg, Sub};
 
-use crate::color::Rgb;
-use crate::illumination::Illumination;
-use crate::needs::Needs;
-use crate::range::Magnitude;
-use crate::raster::Pixels;
-use crate::vector::{LengthVector, UnitVector};
-
 mod fixed;
 mod float;
 pub mod integer;
+mod magnitude;
+pub mod vector;
 
 pub use fixed::{Power, Q16, Q20, Radiance};
+pub use magnitude::Magnitude;
+use vector::{LengthVector, UnitVector};
 
 /// A length: coordinates, radii, distances, in the scene's unit.
 pub trait Scalar:
@@ -94,41 +91,10 @@ pub trait Scalar:
     /// `self / slope` for `self >= 0` and `slope > 0`; saturates at [`Scalar::FAR`].
     fn over(self, slope: Self::Unit) -> Self;
 
-    /// The radius of a sphere about other spheres whose centre is `distance` away along a ray, made larger by what its foot
-    /// point and theirs can be wrong together: where the search finds one of them, the ray meets this one.
-    fn swollen(self, distance: Self) -> Self;
-
-    /// How far the planes of a box are moved outwards before a ray is tested against it, where neither the ray's origin nor
-    /// the boxes have a coordinate above `self`: more than the object in it, its test and the box's can be wrong together.
-    fn margin(self) -> Self;
-    /// `self - by` and `self + by`, saturated.
-    fn either_side(self, by: Self) -> [Self; 2];
-
-    /// The nearest `f32`, for the [`lanes`](crate::lanes) of machines that have some.
-    fn coarse(self) -> f32;
-    /// By how much a search in `f32` makes boxes and spheres larger, where neither the ray's origin nor they have a coordinate
-    /// above `far`: more than the object in it, its own test and that in `f32` can be wrong together.
-    fn coarse_margin(far: f32) -> f32;
-
-    /// Whether [`lanes`](crate::lanes) compute with these very numbers.
-    const IN_LANES: bool = false;
-    /// The distance of a sphere's nearest hit in ]0, `t_max`[ from what [`lanes`](crate::lanes) know of it: the distance of the foot
-    /// point, the square of how far that is from the centre, and the radius. Nothing in a format that is finer or coarser
-    /// than `f32`, which has to look for itself.
-    #[inline]
-    fn of_lane(_along: f32, _across: f32, _radius: f32, _t_max: Self) -> Option<Option<Self>> {
-        None
-    }
-
-    /// [`Iterator::fold`] of pixels: one after the other; in `f32`, where the machine has [`lanes`](crate::lanes), four at once.
-    #[inline]
-    fn fold_pixels<M: Illumination<Self>, N: Needs, const STACK: usize, B>(
-        pixels: Pixels<Self, M, N, STACK>,
-        init: B,
-        f: impl FnMut(B, Rgb<Self::Light>) -> B,
-    ) -> B {
-        pixels.one_by_one(init, f)
-    }
+    /// Returns the radius of a sphere that a ray surely meets where it meets one of the things inside the sphere of radius
+    /// `self`: larger by what the foot points of both can be wrong together. `distance` is how far along the ray the
+    /// centre is.
+    fn padded(self, distance: Self) -> Self;
 
     /// The next larger length of one that is 0 or more and finite; the same where there is none.
     fn next_up(self) -> Self;
@@ -192,10 +158,6 @@ pub trait Unit:
     fn discriminant(b: Self, a: Self, c: Self) -> Option<Self>;
     /// `self / divisor`; in fixed point it saturates at 2, in float it may be infinite or no number.
     fn quotient(self, divisor: Self) -> Self;
-    /// The reciprocal of the number's size; of 0 as large as the format has it.
-    fn reciprocal(self) -> Self::Inverse;
-    /// The nearest `f32`.
-    fn coarse(self) -> f32;
     /// `self^exponent` by squaring, for `self` in [0, 1].
     fn power(self, exponent: u32) -> Self {
         let (mut base, mut left, mut product) = (self, exponent, Self::ONE);

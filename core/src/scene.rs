@@ -1,57 +1,177 @@
-//! A scene is borrowed data: one list for each kind of thing, in RAM or in flash.
+//! A scene is borrowed data: one list for each kind of thing, in RAM or in flash, and nothing else.
+//!
+//! The kinds of objects are enumerated here and nowhere else: [`Scene::each`] is what searches, the range proof and bakers go
+//! by. How a scene is searched is no part of it, but an [`Accelerator`](crate::accelerator::Accelerator).
 
-mod four;
-mod known;
-mod nearest;
-mod object;
-mod shadow;
+mod limits;
 
-pub(crate) use four::Spots;
-pub(crate) use known::Known;
-pub use object::{Hit, Object};
+use core::fmt;
+use core::ops::ControlFlow;
 
-use crate::bvh::Bvh;
+pub use limits::Limits;
+
 use crate::color::Rgb;
-use crate::hierarchy::Node;
-use crate::illumination::Surface;
-use crate::lanes::Lanes;
 use crate::light::Lamp;
-use crate::material::Material;
-use crate::needs::Needs;
-use crate::range::Limits;
+use crate::needs::{Needs, Used};
 use crate::ray::Ray;
+use crate::scalar::vector::{UnitVec3, Vector};
 use crate::scalar::{Light, Scalar, Unit};
 pub use crate::shape::Floor;
-use crate::shape::{Cone, Cylinder, Ellipsoid, Sphere, Spot, Triangle};
-use crate::vector::{UnitVec3, UnitVector, Vec3, Vector};
+use crate::shape::{Cone, Cylinder, Ellipsoid, Look, Primitive, Sphere, SurfacePoint, Triangle};
 
-/// A scene (rta-model section 1), but for the eye.
-#[derive(Clone, Copy, Debug)]
-pub struct Scene<'a, S: Scalar> {
-    /// Vertical cylinders.
-    pub cylinders: &'a [Cylinder<S>],
+/// Is shown objects, a run of one list at a time.
+pub trait Visit<S: Scalar> {
+    /// How far along the ray objects are of interest; shrinks as hits are found.
+    fn t_max(&self) -> S {
+        S::FAR
+    }
+
+    /// Is shown the objects `run`, the first of which has the number `first` in the list of its kind; says whether it has
+    /// seen enough.
+    fn run<P: Primitive<S>>(&mut self, first: Object, run: &[P]) -> ControlFlow<()>;
+}
+
+/// Declares the kinds of objects, one line each: its list in [`Scene`], its need, its type, and its name in errors. Of things
+/// that are equally near, the first in order of these lines is seen.
+macro_rules! lists {
+    ($($(#[doc = $doc:literal])+ $list:ident: $Kind:ident if $NEED:ident, $name:literal;)+) => {
+        /// What a ray meets: which, in its list.
+        ///
+        /// Of things that are equally near, the first in this order is seen.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+        pub enum Object {
+            /// The floor.
+            Floor,
+            $($(#[doc = $doc])+ $Kind(u32),)+
+            /// A visible lamp.
+            Lamp(u32),
+        }
+
+        impl Object {
+            /// Returns the object that comes `by` places later in the list of its kind.
+            pub const fn after(self, by: u32) -> Self {
+                match self {
+                    Self::Floor => Self::Floor,
+                    $(Self::$Kind(i) => Self::$Kind(i.saturating_add(by)),)+
+                    Self::Lamp(i) => Self::Lamp(i.saturating_add(by)),
+                }
+            }
+        }
+
+        /// As a scene file counts: from 1.
+        impl fmt::Display for Object {
+            fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                let (name, index) = match *self {
+                    Self::Floor => return f.write_str("floor"),
+                    $(Self::$Kind(i) => ($name, i),)+
+                    Self::Lamp(i) => ("lamp", i),
+                };
+                write!(f, "{name} {}", u64::from(index) + 1)
+            }
+        }
+
+        /// A scene (rta-model section 1), but for the eye.
+        #[derive(Clone, Copy, Debug)]
+        pub struct Scene<'a, S: Scalar> {
+            $($(#[doc = $doc])+ pub $list: &'a [$Kind<S>],)+
+            /// Lamps.
+            pub lamps: &'a [Lamp<S>],
+            /// The floor, if there is one.
+            pub floor: Option<Floor<S>>,
+            /// What a ray sees that meets nothing.
+            pub sky: Sky<S>,
+            /// Ambient light.
+            pub ambient: Rgb<S::Light>,
+        }
+
+        impl<'a, S: Scalar> Scene<'a, S> {
+            /// A scene in which there is nothing but sky and ambient light.
+            pub const fn empty(sky: Sky<S>, ambient: Rgb<S::Light>) -> Self {
+                Scene { $($list: &[],)+ lamps: &[], floor: None, sky, ambient }
+            }
+
+            /// Shows `visit` all lists of objects that `N` has need of, in order of [`Object`], until it has seen enough.
+            /// Floor and lamps are no objects of a list of primitives and are not shown.
+            pub fn each<N: Needs>(&self, visit: &mut impl Visit<S>) -> ControlFlow<()> {
+                $(if N::$NEED {
+                    visit.run(Object::$Kind(0), self.$list)?;
+                })+
+                ControlFlow::Continue(())
+            }
+
+            /// Shows `visit` one object, if it is in a list that `N` has need of.
+            pub fn one<N: Needs>(&self, object: Object, visit: &mut impl Visit<S>) -> ControlFlow<()> {
+                match object {
+                    $(Object::$Kind(i) if N::$NEED => {
+                        visit.run(object, self.$list.get(index(i)).map_or(&[], core::slice::from_ref))
+                    })+
+                    _ => ControlFlow::Continue(()),
+                }
+            }
+
+            /// Returns the surface point where a ray met an object at the distance `t`, and how the object looks; nothing for
+            /// floor, lamps and what is not there.
+            pub fn point<N: Needs>(
+                &self,
+                object: Object,
+                ray: &Ray<S>,
+                t: S,
+            ) -> Option<(SurfacePoint<S>, Look<'a, S>)> {
+                match object {
+                    $(Object::$Kind(i) if N::$NEED => {
+                        self.$list.get(index(i)).map(|object| (object.point::<N>(ray, t), object.look()))
+                    })+
+                    _ => None,
+                }
+            }
+
+            /// Returns how an object looks; nothing for floor, lamps and what is not there.
+            pub fn look<N: Needs>(&self, object: Object) -> Option<Look<'a, S>> {
+                match object {
+                    $(Object::$Kind(i) if N::$NEED => self.$list.get(index(i)).map(Primitive::look),)+
+                    _ => None,
+                }
+            }
+
+            /// Calls `see` with each object of the lists, in order.
+            pub fn looks(&self, mut see: impl FnMut(Object, Look<'a, S>)) {
+                $((0..).zip(self.$list).for_each(|(i, object)| see(Object::$Kind(i), object.look()));)+
+            }
+
+            /// Whether there is an object in a list.
+            pub const fn has_objects(&self) -> bool {
+                $(!self.$list.is_empty())||+
+            }
+
+            /// Notes which shapes the scene has.
+            pub(crate) fn note_shapes(&self, used: &mut Used) {
+                $(used.$list = !self.$list.is_empty();
+                self.$list.iter().for_each(|object| object.note_needs(used));)+
+            }
+        }
+    };
+}
+
+lists! {
+    /// Vertical cylinders without ends.
+    cylinders: Cylinder if CYLINDERS, "cylinder";
     /// Ellipsoids.
-    pub ellipsoids: &'a [Ellipsoid<S>],
+    ellipsoids: Ellipsoid if ELLIPSOIDS, "ellipsoid";
     /// Spheres.
-    pub spheres: &'a [Sphere<S>],
-    /// A hierarchy over the spheres, or nothing.
-    pub hierarchy: &'a [Node<S>],
+    spheres: Sphere if SPHERES, "sphere";
     /// Cones and cylinders between two points.
-    pub cones: &'a [Cone<S>],
+    cones: Cone if CONES, "cone";
     /// Triangles.
-    pub triangles: &'a [Triangle<S>],
-    /// A hierarchy of boxes over ellipsoids, spheres, cones and triangles, or [`Bvh::NONE`].
-    pub boxes: Bvh<'a, S>,
-    /// What a machine with lanes goes by instead of the two hierarchies, or [`Lanes::NONE`].
-    pub lanes: Lanes<'a>,
-    /// Lamps.
-    pub lamps: &'a [Lamp<S>],
-    /// The floor, if there is one.
-    pub floor: Option<Floor<S>>,
-    /// What a ray sees that meets nothing.
-    pub sky: Sky<S>,
-    /// Ambient light.
-    pub ambient: Rgb<S::Light>,
+    triangles: Triangle if TRIANGLES, "triangle";
+}
+
+/// The nearest hit of a ray.
+#[derive(Clone, Copy, Debug)]
+pub struct Hit<S> {
+    /// Distance as the search found it.
+    pub distance: S,
+    /// What was hit.
+    pub object: Object,
 }
 
 /// The sky: one colour at the horizon, one at the zenith and at the nadir, mixed by the square of the sine of the
@@ -65,8 +185,8 @@ pub struct Sky<S: Scalar> {
 }
 
 impl<S: Scalar> Sky<S> {
-    /// Radiance in a direction.
-    fn radiance<N: Needs>(&self, direction: UnitVec3<S>) -> Rgb<S::Light> {
+    /// Returns the radiance that comes from a direction.
+    pub fn radiance<N: Needs>(&self, direction: UnitVec3<S>) -> Rgb<S::Light> {
         // A sum of parts of one colour would be rounded.
         if !N::SKY_GRADIENT || self.horizon == self.zenith {
             return self.horizon;
@@ -82,99 +202,15 @@ impl<S: Scalar> Scene<'_, S> {
     pub fn day() -> Self {
         let unit = |n| S::Unit::ratio(n, 100);
         let light = |r, g, b| Rgb::new(unit(r), unit(g), unit(b)).map(|part| S::Light::WHITE.times(part));
-        Scene {
-            cylinders: &[],
-            ellipsoids: &[],
-            spheres: &[],
-            hierarchy: &[],
-            cones: &[],
-            triangles: &[],
-            boxes: Bvh::NONE,
-            lanes: Lanes::NONE,
-            lamps: &[],
-            floor: Some(Floor {
-                colors: [Rgb::new(unit(85), unit(85), unit(80)), Rgb::new(unit(15), unit(17), unit(25))],
-            }),
-            sky: Sky { horizon: light(75, 82, 95), zenith: light(10, 22, 60) },
-            ambient: light(30, 30, 32),
-        }
-    }
-
-    /// A ray through this scene.
-    #[inline]
-    pub fn ray<N: Needs>(&self, origin: Vec3<S>, direction: UnitVec3<S>) -> Ray<S> {
-        let is_asked = N::CYLINDERS && !self.cylinders.is_empty() && !self.is_laned::<N>();
-        let plan = if is_asked { direction.plan() } else { None };
-        Ray { origin, direction, plan }
-    }
-
-    /// What is seen along a ray: the surface of what it hits, or the radiance of a lamp or of the sky.
-    #[cfg_attr(not(target_os = "none"), inline(always))]
-    pub(crate) fn look<N: Needs>(&self, ray: &Ray<S>, limits: &Limits<S>) -> Seen<'_, S> {
-        let hit = self.find::<N>(ray, limits.lid);
-        if N::VISIBLE_LAMPS
-            && let Some(Hit { object: Object::Lamp(i), .. }) = hit
-            && let Some(lamp) = self.lamps.get(i)
-        {
-            return Seen::Light(lamp.radiance());
-        }
-        let found = hit.and_then(|hit| match hit.object {
-            Object::Sphere(i) if N::SPHERES => {
-                self.spheres.get(i).map(|s| (s.spot(ray, hit.distance), s.color, &s.material, s.radius))
-            }
-            _ => self.place::<N>(ray, hit, limits.reach),
-        });
-        let Some((spot, color, material, extent)) = found else {
-            return Seen::Light(self.sky.radiance::<N>(ray.direction));
+        let sky = Sky { horizon: light(75, 82, 95), zenith: light(10, 22, 60) };
+        let floor = Floor {
+            colors: [Rgb::new(unit(85), unit(85), unit(80)), Rgb::new(unit(15), unit(17), unit(25))],
         };
-        let inside = spot.normal.dot(ray.direction) > S::Unit::ZERO;
-        let surface = Surface {
-            point: spot.point,
-            normal: if inside { -spot.normal } else { spot.normal },
-            incoming: ray.direction,
-            distance: spot.distance,
-            inside,
-            color,
-            material,
-        };
-        Seen::Surface(surface, extent)
-    }
-
-    /// The place on what is no sphere, with its colour, its material and the size of the object. One arm for each kind; an
-    /// index is always that of a thing in its list.
-    #[cfg_attr(not(target_os = "none"), inline(never))] // so that a ray which meets a sphere does not prepare for it
-    fn place<N: Needs>(&self, ray: &Ray<S>, hit: Hit<S>, reach: S) -> Option<Place<'_, S>> {
-        let distance = hit.distance;
-        match hit.object {
-            Object::Floor if N::FLOOR => self.floor.as_ref().map(|floor| {
-                let (spot, color) = floor.spot(ray, distance, reach);
-                (spot, color, &Material::Opaque, S::ZERO)
-            }),
-            Object::Cylinder(i) if N::CYLINDERS => {
-                self.cylinders.get(i).map(|c| (c.spot(ray, distance), c.color, &c.material, c.radius))
-            }
-            Object::Ellipsoid(i) if N::ELLIPSOIDS => self
-                .ellipsoids
-                .get(i)
-                .map(|e| (e.spot(ray, distance), e.color, &e.material, e.extent.squashed(e.thickness))),
-            Object::Cone(i) if N::CONES => {
-                self.cones.get(i).map(|c| (c.spot(ray, distance), c.color, &c.material, c.extent()))
-            }
-            Object::Triangle(i) if N::TRIANGLES => {
-                self.triangles.get(i).map(|t| (t.spot::<N>(ray, distance), t.color, &t.material, t.extent))
-            }
-            _ => None,
-        }
+        Scene { floor: Some(floor), ..Scene::empty(sky, light(30, 30, 32)) }
     }
 }
 
-/// A place on a surface, with its colour, its material and the size of the object.
-type Place<'a, S> = (Spot<S>, Rgb<<S as Scalar>::Unit>, &'a Material<S>, S);
-
-/// What a ray sees.
-pub(crate) enum Seen<'a, S: Scalar> {
-    /// The sky or a lamp.
-    Light(Rgb<S::Light>),
-    /// A surface, and the size of the object it belongs to.
-    Surface(Surface<'a, S>, S),
+/// A number in a list as an index; of one that is too large for the machine, an index beyond all lists.
+pub(crate) fn index(number: u32) -> usize {
+    usize::try_from(number).unwrap_or(usize::MAX)
 }

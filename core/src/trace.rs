@@ -2,51 +2,62 @@
 //!
 //! A pending ray carries its weight: what part of its light arrives in the pixel. Weights multiply on the way down and
 //! contributions add up, so nothing has to be kept of the way back.
+//!
+//! What is decided at one point stands in [`decision`], apart from how directions are computed.
 
-mod four;
+pub mod decision;
+mod observer;
+
+use core::marker::PhantomData;
 
 use heapless::Vec;
 
+use decision::{Branch, Start, branch, direct, refract};
+pub use observer::Observer;
+
+use crate::accelerator::{Accelerator, Lists};
 use crate::camera::Camera;
 use crate::color::Rgb;
 use crate::error::Error;
-use crate::illumination::{Illumination, RayKind, Surface, Weight};
+use crate::illumination::{Illumination, Weight};
 use crate::light::Incident;
 use crate::material::Glass;
 use crate::needs::Needs;
 use crate::range::Admitted;
 use crate::ray::Ray;
+use crate::scalar::vector::{LengthVector, UnitVec3, UnitVector, Vec3};
 use crate::scalar::{Light, Scalar, Unit};
-use crate::scene::{Known, Seen};
-use crate::vector::{LengthVector, UnitVec3, UnitVector, Vec3};
+use crate::surface::Surface;
+use crate::world::Seen;
 
 /// Draws a scene with an illumination model.
 ///
 /// `STACK` is the deepest recursion it can be asked for: of the two rays that a point of a glass asks for, one is
-/// followed at once and one waits, so that at most one waits for each level.
+/// followed at once and one waits, so that at most one waits for each level. `A` is how the scene is searched.
 #[derive(Clone, Copy, Debug)]
-pub struct Tracer<'a, S: Scalar, M, N, const STACK: usize> {
-    scene: Admitted<'a, S>,
+pub struct Tracer<'a, S: Scalar, M, N, const STACK: usize, A = Lists> {
+    scene: Admitted<'a, S, A>,
     model: M,
     depth: u8,
     cutoff: S::Unit,
-    needs: core::marker::PhantomData<fn() -> N>,
+    needs: PhantomData<fn() -> N>,
 }
 
 /// A ray that waits for its turn.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Pending<S: Scalar, W> {
-    origin: Vec3<S>,
-    direction: UnitVec3<S>,
-    weight: W,
-    depth: u8,
-    kind: RayKind,
+pub struct Pending<S: Scalar, W> {
+    /// The ray.
+    pub start: Start<S>,
+    /// Its place in the tree.
+    pub branch: Branch<W>,
 }
 
 /// The rays that wait for their turn.
-pub(crate) type Stack<S, W, const STACK: usize> = Vec<Pending<S, W>, STACK>;
+pub type Stack<S, W, const STACK: usize> = Vec<Pending<S, W>, STACK>;
 
-impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize> Tracer<'a, S, M, N, STACK> {
+impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Accelerator<S>>
+    Tracer<'a, S, M, N, STACK, A>
+{
     /// Bytes of the stack of pending rays: what the ray tree costs beyond one ray.
     ///
     /// In `Q16`, `Q20` and `f32` a ray that waits takes 40 bytes with [`Rta`](crate::illumination::Rta)'s weights of three
@@ -59,179 +70,171 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize> Tracer<'a,
     ///
     /// # Errors
     /// [`Error::Depth`] where `depth` exceeds the capacity `STACK`.
-    pub fn new(scene: Admitted<'a, S>, model: M, depth: u32) -> Result<Self, Error> {
+    pub fn new(scene: Admitted<'a, S, A>, model: M, depth: u32) -> Result<Self, Error> {
         let error = Error::Depth { depth, capacity: STACK };
         let depth = u8::try_from(depth).map_err(|_| error)?;
         if usize::from(depth) > STACK {
             return Err(error);
         }
-        Ok(Self { scene, model, depth, cutoff: S::Unit::ZERO, needs: core::marker::PhantomData })
+        Ok(Self { scene, model, depth, cutoff: S::Unit::ZERO, needs: PhantomData })
     }
 
-    /// The same, but a ray that would bring less than the part `cutoff` of its light into the pixel is not traced:
-    /// adaptive depth (R. Hall and D. Greenberg, "A Testbed for Realistic Image Synthesis", IEEE CG&A 3, 1983). 0, the
-    /// default, traces all.
+    /// Sets the contribution cut-off: a ray that would bring less than the part `cutoff` of its light into the pixel is not
+    /// traced. This is adaptive depth (R. Hall and D. Greenberg, "A Testbed for Realistic Image Synthesis", IEEE CG&A 3,
+    /// 1983). 0, the default, traces all.
     pub fn with_cutoff(self, cutoff: S::Unit) -> Self {
         Self { cutoff, ..self }
     }
 
-    /// The light that comes in along the eye's ray with a camera's direction.
+    /// Returns scene, model, depth and cut-off, for a loop that traces several rays side by side.
+    pub const fn parts(&self) -> (&Admitted<'a, S, A>, &M, u8, S::Unit) {
+        (&self.scene, &self.model, self.depth, self.cutoff)
+    }
+
+    /// Returns the light that comes in along the eye's ray with a camera's direction.
     pub fn primary(&self, camera: &Camera<S>, direction: UnitVec3<S>) -> Rgb<S::Light> {
         self.radiance(camera.eye, direction)
     }
 
-    /// The light that arrives at `origin` against `direction`, from all of the ray tree.
+    /// Returns the light that arrives at `origin` against `direction`, from all of the ray tree.
     pub fn radiance(&self, origin: Vec3<S>, direction: UnitVec3<S>) -> Rgb<S::Light> {
-        self.radiance_after(origin, direction, &mut Known::new())
+        self.trace(origin, direction, &mut A::Memory::default(), &mut ())
     }
 
-    /// The same of one ray after another.
-    #[cfg_attr(not(target_os = "none"), inline(never))] // once is enough
-    pub(crate) fn radiance_after(
+    /// Returns the light that arrives at `origin` against `direction`, from all of the ray tree. `memory` is what the
+    /// accelerator keeps from ray to ray; `observer` is told of every ray.
+    #[cfg_attr(not(target_os = "none"), inline(always))]
+    pub fn trace<O: Observer<S> + ?Sized>(
         &self,
         origin: Vec3<S>,
         direction: UnitVec3<S>,
-        known: &mut Known,
+        memory: &mut A::Memory,
+        observer: &mut O,
     ) -> Rgb<S::Light> {
-        self.follow(origin, direction, known)
-    }
-
-    /// The same for a loop over many rays.
-    #[cfg_attr(not(target_os = "none"), inline(always))] // with all that it calls, so that the loop makes ready what all rays need
-    pub(crate) fn follow(&self, origin: Vec3<S>, direction: UnitVec3<S>, known: &mut Known) -> Rgb<S::Light> {
+        let mut current = Pending { start: Start { origin, direction }, branch: Branch::eye::<S>() };
         if !N::MIRROR {
-            self.model.note(RayKind::Primary);
-            return self.local(&self.scene.ray::<N>(origin, direction), known).0;
+            return self.local(&current, memory, observer).0;
         }
         let mut pending = Stack::<S, M::Weight, STACK>::new();
         let mut light = Rgb::BLACK;
-        let mut next =
-            Some(Pending { origin, direction, weight: M::Weight::WHOLE, depth: 0, kind: RayKind::Primary });
-        while let Some(current) = next {
-            self.model.note(current.kind);
-            let ray = self.scene.ray::<N>(current.origin, current.direction);
-            let (own, seen) = self.local(&ray, known);
-            light = light.plus(current.weight.filter(own));
-            next = match seen {
-                Some((surface, extent)) if current.depth < self.depth => {
-                    self.spawn(&surface, extent, &current, &mut pending)
+        loop {
+            let (own, surface) = self.local(&current, memory, observer);
+            let weighted = current.branch.weight.filter(own);
+            observer.light(weighted);
+            light = light.plus(weighted);
+            let next = match surface {
+                Some(surface) if current.branch.depth < self.depth => {
+                    self.spawn(&surface, &current, &mut pending, observer)
                 }
                 _ => None,
             };
-            next = next.or_else(|| pending.pop());
+            match next.or_else(|| pending.pop()) {
+                Some(next) => current = next,
+                None => return light,
+            }
         }
-        light
     }
 
-    /// What one ray brings of its own, and the surface that it has met with the size of its object.
-    #[allow(clippy::type_complexity)] // light, and perhaps a surface with a size
-    #[cfg_attr(not(target_os = "none"), inline(always))] // see `follow`
-    fn local(&self, ray: &Ray<S>, known: &mut Known) -> (Rgb<S::Light>, Option<(Surface<'_, S>, S)>) {
-        let (surface, extent) = match self.scene.look::<N>(ray, &self.scene.limits()) {
+    /// Returns what one ray brings of its own, and the surface that it has met.
+    #[cfg_attr(not(target_os = "none"), inline(always))]
+    fn local<O: Observer<S> + ?Sized>(
+        &self,
+        current: &Pending<S, M::Weight>,
+        memory: &mut A::Memory,
+        observer: &mut O,
+    ) -> (Rgb<S::Light>, Option<Surface<'_, S>>) {
+        let (scene, branch) = (&self.scene, &current.branch);
+        observer.ray(branch.kind, branch.depth, &current.start);
+        let ray = self.ray(current.start);
+        let hit = scene.accelerator().closest::<N>(scene, &ray, memory);
+        let surface = match scene.seen::<N>(&ray, hit) {
             Seen::Light(light) => {
-                self.model.note_light(light);
+                observer.hit(hit.as_ref(), None);
                 return (light, None);
             }
-            Seen::Surface(surface, extent) => (surface, extent),
+            Seen::Surface(surface) => surface,
         };
-        let mut light = self.model.ambient::<N>(&surface, self.scene.ambient);
+        observer.hit(hit.as_ref(), Some(&surface));
+        let mut light = self.model.ambient::<N>(&surface, scene.scene.ambient);
         if N::LAMPS && self.model.is_lit::<N>(&surface) {
-            let lamps = if N::SEVERAL_LAMPS { self.scene.lamps.len() } else { 1 };
-            for (number, lamp) in self.scene.lamps.iter().take(lamps).enumerate() {
+            let lamps = if N::SEVERAL_LAMPS { scene.scene.lamps.len() } else { 1 };
+            for (number, lamp) in scene.scene.lamps.iter().take(lamps).enumerate() {
                 if let Some(incident) = Incident::new(lamp, surface.point, surface.normal) {
-                    light = light.plus(self.direct(&surface, &incident, extent, number, known));
+                    let unhidden = direct::<S, M, N>(&self.model, &surface, &incident);
+                    let part = self.unshadowed(&surface, &incident, unhidden, number, memory, observer);
+                    observer.lamp(number, &incident, unhidden, part);
+                    let is_whole = part == S::Unit::ONE;
+                    light = light.plus(if is_whole { unhidden } else { unhidden.map(|l| l.times(part)) });
                 }
             }
         }
-        (light, Some((surface, extent)))
+        (light, Some(surface))
     }
 
-    /// What the surface sends back of one lamp, as far as nothing hides it.
-    #[cfg_attr(not(target_os = "none"), inline(always))] // see `follow`
-    fn direct(
+    fn ray(&self, Start { origin, direction }: Start<S>) -> Ray<S> {
+        if A::WITH_PLAN { self.scene.ray::<N>(origin, direction) } else { Ray::new(origin, direction) }
+    }
+
+    /// Returns what part of a lamp's light comes through to a surface that sends back `light` of it: 1 where that is dark
+    /// anyway.
+    #[cfg_attr(not(target_os = "none"), inline(always))]
+    fn unshadowed<O: Observer<S> + ?Sized>(
         &self,
         surface: &Surface<S>,
         incident: &Incident<S>,
-        extent: S,
+        light: Rgb<S::Light>,
         number: usize,
-        known: &mut Known,
-    ) -> Rgb<S::Light> {
-        let behind = incident.cosine <= S::Unit::ZERO;
-        if behind && !M::BOTH_SIDES {
-            return Rgb::BLACK;
-        }
-        let light = self.model.direct::<N>(surface, incident);
+        memory: &mut A::Memory,
+        observer: &mut O,
+    ) -> S::Unit {
         if !N::SHADOWS || light == Rgb::BLACK {
-            return light;
+            return S::Unit::ONE;
         }
-        let side = if behind { -surface.normal } else { surface.normal };
-        let (origin, used) = surface.point.leave(side, incident.direction, extent);
-        self.model.note(RayKind::Shadow);
-        let ray = self.scene.ray::<N>(origin, incident.direction);
-        let (t_max, lid) = (incident.distance - used, self.scene.limits().lid);
-        let part = self.scene.transmittance_after::<N>(&ray, t_max, lid, number, known);
-        self.model.note_shadow(part);
-        if part == S::Unit::ONE { light } else { light.map(|register| register.times(part)) }
+        let side = if incident.cosine <= S::Unit::ZERO { -surface.normal } else { surface.normal };
+        let (origin, used) = surface.point.leave(side, incident.direction, surface.extent);
+        let start = Start { origin, direction: incident.direction };
+        observer.shadow(number, &start);
+        let ray = self.ray(start);
+        let t_max = incident.distance - used;
+        self.scene.accelerator().transmittance::<N>(&self.scene, &ray, t_max, number, memory)
     }
 
-    /// The secondary rays of a surface: the transmitted one waits, the reflected one is to be followed at once.
-    #[cfg_attr(not(target_os = "none"), inline(always))] // see `follow`
-    fn spawn(
+    /// Spawns the secondary rays of a surface: the transmitted one waits, the reflected one is to be followed at once.
+    #[cfg_attr(not(target_os = "none"), inline(always))]
+    fn spawn<O: Observer<S> + ?Sized>(
         &self,
         surface: &Surface<S>,
-        extent: S,
         parent: &Pending<S, M::Weight>,
         pending: &mut Stack<S, M::Weight, STACK>,
+        observer: &mut O,
     ) -> Option<Pending<S, M::Weight>> {
-        let secondary = self.model.secondary::<N>(surface);
-        let ray = |side, direction, weight: M::Weight, kind| {
-            let weight = parent.weight.compose(weight);
-            if weight.is_below(self.cutoff) {
-                return None;
-            }
-            let (origin, _) = surface.point.leave(side, direction, extent);
-            Some(Pending { origin, direction, weight, depth: parent.depth + 1, kind })
+        let start = |side, direction| {
+            let (origin, _) = surface.point.leave(side, direction, surface.extent);
+            Start { origin, direction }
         };
-        let mut reflected = secondary.reflected;
-        if N::GLASS
-            && let (Some(glass), Some(through)) = (surface.material.glass::<N>(), secondary.transmitted)
-        {
-            match refract(surface, glass) {
-                Some(direction) => {
-                    if let Some(ray) = ray(-surface.normal, direction, through, RayKind::Transmitted) {
-                        // There is room: at most one ray waits for each level, and there are no more than STACK.
-                        let pushed = pending.push(ray);
-                        debug_assert!(pushed.is_ok(), "the ray stack is one entry for each level of depth");
-                    }
-                }
-                // Total internal reflection: both rays are one.
-                None => reflected = Some(reflected.map_or(through, |weight| weight.join(through))),
-            }
+        let reflected = || start(surface.normal, surface.incoming.reflect(surface.normal));
+        let mut is_total = false;
+        let refracted = |glass: &Glass<S>| {
+            let direction = refract(surface, glass);
+            is_total = direction.is_none();
+            direction.map(|direction| start(-surface.normal, direction))
+        };
+        let place = (&parent.branch, self.cutoff);
+        let [transmitted, reflected] = branch::<S, M, N>(&self.model, surface, place, reflected, refracted);
+        if is_total {
+            observer.total_reflection();
         }
-        reflected.and_then(|weight| {
-            let direction = surface.incoming.reflect(surface.normal);
-            ray(surface.normal, direction, weight, RayKind::Reflected)
-        })
+        let mut told = |(branch, start): (Branch<M::Weight>, Start<S>)| {
+            observer.spawned(&|cutoff| !branch.weight.is_below(cutoff));
+            Pending { start, branch }
+        };
+        if N::GLASS
+            && let Some(transmitted) = transmitted
+        {
+            // There is room: at most one ray waits for each level, and there are no more than STACK.
+            let pushed = pending.push(told(transmitted));
+            debug_assert!(pushed.is_ok(), "the ray stack is one entry for each level of depth");
+        }
+        reflected.map(told)
     }
-}
-
-/// The transmitted ray by Snell's law; nothing where there is total internal reflection.
-///
-/// `T = eta I + (eta cos - sqrt(1 - eta^2 (1 - cos^2))) N`, where eta is the index of refraction where the ray comes
-/// from over that where it goes. Where that is above 1 everything is divided by it, so that no number is: the direction
-/// is normalised in the end anyway.
-pub fn refract<S: Scalar>(surface: &Surface<S>, glass: &Glass<S>) -> Option<UnitVec3<S>> {
-    let one = S::Unit::ONE;
-    let cosine = -surface.normal.dot(surface.incoming);
-    let direction = if surface.inside != glass.denser {
-        // Into the denser: 1 - eta^2 + (eta cos)^2.
-        let slanted = glass.eta.times(cosine);
-        let root = S::Unit::radical(one, slanted, glass.eta)?;
-        surface.incoming.scale(glass.eta).plus(surface.normal, slanted - root)
-    } else {
-        // Into the thinner, over eta: (1/eta)^2 - 1 + cos^2.
-        let root = S::Unit::radical(cosine, glass.eta, one)?;
-        surface.incoming.plus(surface.normal, cosine - root)
-    };
-    direction.normalize().map(|(direction, _)| direction)
 }

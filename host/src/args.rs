@@ -1,5 +1,6 @@
 //! The command line.
 
+mod choice;
 mod explain;
 mod picture;
 mod scene;

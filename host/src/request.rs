@@ -5,7 +5,7 @@ pub mod fit;
 pub mod sampling;
 pub mod scene_file;
 
-use rta_core::sampling::Sampling;
+use rta_core::sampling::{Places, Sampling};
 
 use crate::args::TracingArgs;
 use crate::engine::{Cutoff, Engine, Format, Model, Settings};

@@ -26,34 +26,21 @@ use std::path::{Path, PathBuf};
 use std::{env, fs, io};
 
 use rta_core::range::RangeError;
-use rta_core::{Q16, Q20};
 
+use crate::accelerator::bvh;
 use crate::description::Description;
 use crate::error::SceneError;
+pub use crate::format::Format;
+pub use crate::model::Model;
 use crate::narrow::{NarrowError, narrow};
-use crate::read;
+use crate::{in_format, read};
 
 mod literal;
-mod model;
 mod module;
 #[cfg(test)]
 mod tests;
 
 use literal::Literal;
-pub use model::Model;
-
-/// The number format of a baked scene.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Format {
-    /// 32-bit float.
-    F32,
-    /// 64-bit float; the target's `rta-core` needs the feature `f64`.
-    F64,
-    /// Fixed point, lengths in Q16.16.
-    Q16,
-    /// Fixed point, lengths in Q12.20.
-    Q20,
-}
 
 /// How a scene is baked.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -175,20 +162,19 @@ fn out_dir(path: &Path, recipe: impl FnOnce(&Description) -> Recipe) -> Result<P
 /// # Errors
 /// [`BakeError::Narrow`] and [`BakeError::Range`]: the scene does not fit the number format.
 pub fn module(scene: &Description, name: &str, recipe: &Recipe) -> Result<String, BakeError> {
-    match recipe.format {
-        Format::F32 => in_format::<f32>(scene, name, recipe),
-        Format::F64 => in_format::<f64>(scene, name, recipe),
-        Format::Q16 => in_format::<Q16>(scene, name, recipe),
-        Format::Q20 => in_format::<Q20>(scene, name, recipe),
-    }
+    in_format!(recipe.format, S => source::<S>(scene, name, recipe))
 }
 
-fn in_format<S: Literal>(scene: &Description, name: &str, recipe: &Recipe) -> Result<String, BakeError> {
-    let narrowed = narrow::<S>(scene, recipe.aspect)?.without_lanes(scene);
-    let limits = narrowed.scene().admit(&narrowed.camera)?.limits();
+fn source<S: Literal>(scene: &Description, name: &str, recipe: &Recipe) -> Result<String, BakeError> {
+    let narrowed = narrow::<S>(scene, recipe.aspect)?;
+    let hierarchy = bvh::build::<S>(scene);
+    let limits = match hierarchy.bvh() {
+        Some(bvh) => narrowed.scene().admit_with(&narrowed.camera, bvh)?.limits,
+        None => narrowed.scene().admit(&narrowed.camera)?.limits,
+    };
     let used = recipe.model.used(&narrowed.scene());
     let mut source = String::new();
     // A String takes all that is written to it.
-    let _ = module::write(&mut source, name, &narrowed, limits, used, recipe);
+    let _ = module::write(&mut source, name, (&narrowed, &hierarchy), limits, used, recipe);
     Ok(source)
 }

@@ -21,19 +21,24 @@
 //! # Ok::<(), rta_scenes::error::SceneError>(())
 //! ```
 
+pub mod accelerator;
 pub mod bake;
 pub mod dat;
 pub mod description;
 pub mod error;
 pub mod fit;
+pub mod format;
+pub mod model;
 pub mod narrow;
 pub mod nff;
 mod numbers;
 pub mod shipped;
-mod space;
+pub mod space;
 mod tokens;
 
 pub use bake::bake;
+pub use format::Format;
+pub use model::Model;
 
 use std::path::Path;
 

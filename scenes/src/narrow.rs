@@ -1,33 +1,24 @@
 //! From a description in `f64` into a scene of one number format, or an error that says what does not fit.
 
-use core::fmt;
-
 use rta_core::Scalar;
-use rta_core::bvh::{Boxes, Bvh, Item};
 use rta_core::camera::{Camera, Lens};
 use rta_core::color::Rgb;
-use rta_core::hierarchy::Node;
-use rta_core::lanes::LANES;
 use rta_core::light::Lamp;
-use rta_core::material::{Finish, Glass, Material};
 use rta_core::scene::{Scene, Sky};
 use rta_core::shape::{Cone, Cylinder, Ellipsoid, Floor, Sphere, Triangle};
-use rta_core::vector::{Vec3, Vector};
+use rta_core::vector::Vector;
 
-use crate::description::{self, Description, Side, Surface};
+use crate::description::{self, Description, Side};
 use crate::space::{cross, unit};
 
-mod bounds;
-mod bvh;
+mod check;
 mod cone;
-mod cube;
+mod error;
 mod formats;
-mod hierarchy;
-mod lanes;
-mod tree;
-mod triangle;
+pub mod triangle;
 
-pub use lanes::Built;
+use check::Checker;
+pub use error::NarrowError;
 
 /// A number format that descriptions can be narrowed to.
 pub trait Narrow: Scalar {
@@ -51,8 +42,12 @@ pub trait Narrow: Scalar {
     fn light(value: f64) -> Self::Light;
     /// The nearest intensity; the value is within the format.
     fn power(value: f64) -> Self::Power;
-    /// A radiance as a float.
-    fn widen(light: Self::Light) -> f32;
+    /// Returns a length as a float, exactly.
+    fn to_f64(self) -> f64;
+    /// Returns a component or coefficient as a float, exactly.
+    fn unit_to_f64(unit: Self::Unit) -> f64;
+    /// Returns a radiance as a float, exactly.
+    fn light_to_f64(light: Self::Light) -> f64;
 }
 
 /// A scene and an eye in one number format: the lists that a core [`Scene`] borrows.
@@ -66,20 +61,10 @@ pub struct Narrowed<S: Scalar> {
     pub ellipsoids: Vec<Ellipsoid<S>>,
     /// Spheres.
     pub spheres: Vec<Sphere<S>>,
-    /// A hierarchy over the spheres; none where there are few.
-    pub hierarchy: Vec<Node<S>>,
     /// Cones and cylinders between two points.
     pub cones: Vec<Cone<S>>,
     /// Triangles.
     pub triangles: Vec<Triangle<S>>,
-    /// Nodes of a hierarchy of boxes over all finite objects; none where there are few.
-    pub boxes: Vec<Boxes<S>>,
-    /// What its leaves hold.
-    pub items: Vec<Item>,
-    /// The largest size of a coordinate in it.
-    pub size: S,
-    /// What a machine with lanes goes by.
-    pub lanes: Built,
     /// Lamps.
     pub lamps: Vec<Lamp<S>>,
     /// The floor.
@@ -91,144 +76,20 @@ pub struct Narrowed<S: Scalar> {
 }
 
 impl<S: Scalar> Narrowed<S> {
-    /// The same for a machine without lanes: with a hierarchy of spheres or of boxes, or none where there are few objects.
-    #[must_use]
-    pub fn without_lanes(self, description: &Description) -> Self
-    where
-        S: Narrow,
-    {
-        let bvh::Built { nodes: boxes, items, size } = bvh::build::<S>(description);
-        let hierarchy = if boxes.is_empty() { hierarchy::build(&description.spheres) } else { Vec::new() };
-        Self { hierarchy, boxes, items, size, lanes: Built::default(), ..self }
-    }
-
     /// The scene, borrowed.
     pub fn scene(&self) -> Scene<'_, S> {
         Scene {
             cylinders: &self.cylinders,
             ellipsoids: &self.ellipsoids,
             spheres: &self.spheres,
-            hierarchy: &self.hierarchy,
             cones: &self.cones,
             triangles: &self.triangles,
-            boxes: Bvh { nodes: &self.boxes, items: &self.items, size: self.size },
-            lanes: self.lanes.lanes(),
             lamps: &self.lamps,
             floor: self.floor,
             sky: self.sky,
             ambient: self.ambient,
         }
     }
-}
-
-/// Something in a scene that a number format cannot hold.
-#[derive(Clone, Debug, PartialEq)]
-#[non_exhaustive]
-pub struct NarrowError {
-    /// The thing, with its line in the file if it has one: `sphere 3 (line 12)`.
-    pub object: String,
-    /// What of it does not fit: `x and radius`.
-    pub quantity: &'static str,
-    /// Its size.
-    pub value: f64,
-    /// What it may be at most, or at least where it is too small.
-    pub limit: f64,
-    /// The number format.
-    pub format: &'static str,
-}
-
-impl fmt::Display for NarrowError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { object, quantity, value, limit, format } = self;
-        let side = if value.abs() < *limit { "below the smallest" } else { "beyond the largest" };
-        write!(f, "{object} is out of {format}'s range: {quantity} {value}, {side} {limit}")
-    }
-}
-
-impl core::error::Error for NarrowError {}
-
-/// What an error says of the thing that is being narrowed.
-struct Checker<S> {
-    object: String,
-    format: core::marker::PhantomData<S>,
-}
-
-impl<S: Narrow> Checker<S> {
-    fn new(kind: &str, index: usize, line: u32) -> Self {
-        let place = if line > 0 { format!(" (line {line})") } else { String::new() };
-        Self::named(format!("{kind} {}{place}", index + 1))
-    }
-
-    fn named(object: impl Into<String>) -> Self {
-        Self { object: object.into(), format: core::marker::PhantomData }
-    }
-
-    fn error(&self, quantity: &'static str, value: f64, limit: f64) -> NarrowError {
-        NarrowError { object: self.object.clone(), quantity, value, limit, format: S::NAME }
-    }
-
-    fn at_most(&self, quantity: &'static str, value: f64, limit: f64) -> Result<f64, NarrowError> {
-        if value.abs() <= limit { Ok(value) } else { Err(self.error(quantity, value, limit)) }
-    }
-
-    /// A place of something that reaches `radius` about it.
-    fn place(&self, place: [f64; 3], radius: f64) -> Result<Vec3<S>, NarrowError> {
-        self.at_most("the radius", radius, S::largest())?;
-        let names = ["x (with the radius)", "y (with the radius)", "z (with the radius)"];
-        let bare = ["x", "y", "z"];
-        for (axis, &c) in place.iter().enumerate() {
-            let quantity = if radius > 0.0 { names.get(axis) } else { bare.get(axis) };
-            self.at_most(quantity.copied().unwrap_or("position"), c.abs() + radius, S::largest())?;
-        }
-        let [x, y, z] = place.map(S::length);
-        Ok(Vector::new(x, y, z))
-    }
-
-    fn radius(&self, radius: f64) -> Result<S, NarrowError> {
-        if radius < S::SMALLEST_RADIUS {
-            return Err(self.error("the radius", radius, S::SMALLEST_RADIUS));
-        }
-        self.at_most("the radius", radius, S::largest()).map(S::length)
-    }
-
-    fn color(&self, quantity: &'static str, color: [f64; 3]) -> Result<Rgb<S::Unit>, NarrowError> {
-        for register in color {
-            self.at_most(quantity, register, S::LARGEST_COLOR)?;
-        }
-        let [r, g, b] = color.map(S::unit);
-        Ok(Rgb::new(r, g, b))
-    }
-
-    fn material(&self, surface: &Surface) -> Result<Material<S>, NarrowError> {
-        Ok(match *surface {
-            Surface::Opaque => Material::Opaque,
-            Surface::Shiny => Material::Shiny,
-            Surface::Mirror => Material::Mirror,
-            Surface::Transparent { ks, kt, ior } => Material::Transparent(glass::<S>(ks, kt, ior)),
-            Surface::Finish { kd, ks, exponent, kt, ior } => {
-                for coefficient in [kd, ks, kt] {
-                    self.at_most("a coefficient", coefficient, S::LARGEST_COLOR)?;
-                }
-                // What is sharper than that is a point in every format.
-                #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // clamped
-                let exponent = exponent.round().clamp(0.0, 1e9) as u32;
-                Material::Finish(Finish { kd: S::unit(kd), exponent, glass: glass::<S>(ks, kt, ior) })
-            }
-        })
-    }
-
-    fn light(&self, color: [f64; 3]) -> Result<Rgb<S::Light>, NarrowError> {
-        for register in color {
-            self.at_most("a register", register, S::LARGEST_LIGHT)?;
-        }
-        let [r, g, b] = color.map(S::light);
-        Ok(Rgb::new(r, g, b))
-    }
-}
-
-fn glass<S: Narrow>(ks: f64, kt: f64, ior: f64) -> Glass<S> {
-    let eta = if ior > 1.0 { 1.0 / ior } else { ior };
-    Glass { ks: S::unit(ks), kt: S::unit(kt), eta: S::unit(eta), denser: ior >= 1.0 }
 }
 
 fn camera<S: Narrow>(camera: &description::Camera, aspect: f64) -> Result<Camera<S>, NarrowError> {
@@ -265,14 +126,11 @@ fn lamp<S: Narrow>(index: usize, lamp: &description::Lamp) -> Result<Lamp<S>, Na
     Ok(Lamp::new(position, radius, <S as Narrow>::power(strongest), Rgb::new(r, g, b)))
 }
 
-/// Brings a description into the number format `S`, for a screen of the shape `aspect : 1`, with what this machine searches
-/// by.
+/// Brings a description into the number format `S`, for a screen of the shape `aspect : 1`.
 ///
 /// # Errors
 /// The first thing that the format cannot hold, with its size and the limit.
 pub fn narrow<S: Narrow>(description: &Description, aspect: f64) -> Result<Narrowed<S>, NarrowError> {
-    // Before the lists: what it takes to build is gone when they come.
-    let lanes = if LANES { lanes::build::<S>(description) } else { Built::default() };
     let mut cylinders = Vec::with_capacity(description.cylinders.len());
     for (i, c) in description.cylinders.iter().enumerate() {
         let check = Checker::<S>::new("cylinder", i, c.line);
@@ -327,18 +185,13 @@ pub fn narrow<S: Narrow>(description: &Description, aspect: f64) -> Result<Narro
             })
         }
     };
-    let narrowed = Narrowed {
+    Ok(Narrowed {
         camera: camera(&description.camera, aspect)?,
         cylinders,
         ellipsoids,
         spheres,
-        hierarchy: Vec::new(),
         cones,
         triangles,
-        boxes: Vec::new(),
-        items: Vec::new(),
-        size: S::ZERO,
-        lanes,
         lamps: lamps?,
         floor,
         sky: Sky {
@@ -346,8 +199,7 @@ pub fn narrow<S: Narrow>(description: &Description, aspect: f64) -> Result<Narro
             zenith: Checker::<S>::named("the zenith").light(description.sky.zenith)?,
         },
         ambient: Checker::<S>::named("the ambient light").light(description.ambient)?,
-    };
-    Ok(if LANES { narrowed } else { narrowed.without_lanes(description) })
+    })
 }
 
 #[cfg(test)]

@@ -1,9 +1,10 @@
-//! Pictures in Q16.16, bit by bit, with any illumination model and set of needs.
+//! Pictures in Q16.16, bit by bit, with any accelerator, illumination model and set of needs.
 
 use core::sync::atomic::AtomicBool;
 
 use rta::bands;
 use rta::raster::Size;
+use rta_core::accelerator::{Accelerator, Bvh, Lists};
 use rta_core::color::Rgb;
 use rta_core::illumination::{Illumination, Rta};
 use rta_core::needs::{Everything, Needs};
@@ -11,6 +12,8 @@ use rta_core::raster::{Pixels, Raster};
 use rta_core::trace::Tracer;
 use rta_core::vector::Vector;
 use rta_core::{Error, Q16};
+use rta_packets::Packets;
+use rta_scenes::accelerator::bvh::{self, Built};
 use rta_scenes::description::Description;
 use rta_scenes::narrow::{Narrowed, narrow};
 use rta_scenes::{dat, shipped};
@@ -24,19 +27,12 @@ pub const DEPTH: u32 = 5;
 /// Capacity of the stack of pending rays: the program's, so that tracers are compiled once.
 const STACK: usize = 32;
 
-/// All needs but a search: each ray is tried with one object after the other.
-#[derive(Debug)]
-pub struct OneByOne;
-
-impl Needs for OneByOne {
-    const HIERARCHY: bool = false;
-    const BOXES: bool = false;
-}
-
 /// A scene in Q16.16, and the raster that it is drawn on.
 #[derive(Debug)]
 pub struct Exact {
     scene: Narrowed<Q16>,
+    bvh: Built<Q16>,
+    packets: Packets,
     raster: Raster,
 }
 
@@ -47,14 +43,12 @@ impl Exact {
     /// The scene does not fit Q16.16, or a side of the raster is 0.
     #[must_use]
     pub fn new(scene: &Description, width: u32, height: u32) -> Self {
-        let scene = narrow::<Q16>(scene, 4.0 / 3.0).expect("the scene fits Q16.16");
-        Self { scene, raster: Raster::new(width, height).expect("a raster") }
-    }
-
-    /// Returns a copy of the scene that is searched as firmware searches it.
-    #[must_use]
-    pub fn without_lanes(&self, scene: &Description) -> Self {
-        Self { scene: self.scene.clone().without_lanes(scene), raster: self.raster }
+        Self {
+            scene: narrow::<Q16>(scene, 4.0 / 3.0).expect("the scene fits Q16.16"),
+            bvh: bvh::build::<Q16>(scene),
+            packets: Packets::build::<Q16>(scene),
+            raster: Raster::new(width, height).expect("a raster"),
+        }
     }
 
     /// Returns the scene in its number format.
@@ -63,19 +57,32 @@ impl Exact {
         &self.scene
     }
 
-    /// Draws as many pixels as `out` holds, from the row `first` on, row by row.
+    /// Returns the hierarchy that firmware searches the scene with, if it has one.
+    #[must_use]
+    pub fn bvh(&self) -> Option<Bvh<'_, Q16>> {
+        self.bvh.bvh()
+    }
+
+    /// Returns what the program searches the scene with.
+    #[must_use]
+    pub const fn packets(&self) -> &Packets {
+        &self.packets
+    }
+
+    /// Draws as many pixels as `out` holds, from the row `first` on, row by row; the scene is searched by `accelerator`.
     ///
     /// # Errors
     /// Those of [`Tracer::new`] and of the range check.
     pub fn rows<M: Illumination<Q16>, N: Needs>(
         &self,
+        accelerator: impl Accelerator<Q16>,
         model: M,
         depth: u32,
         first: u32,
         out: &mut [Bits],
     ) -> Result<(), Error> {
-        let admitted = self.scene.scene().admit(&self.scene.camera)?;
-        let tracer: Tracer<_, M, N, STACK> = Tracer::new(admitted, model, depth)?;
+        let admitted = self.scene.scene().admit_with(&self.scene.camera, accelerator)?;
+        let tracer: Tracer<_, M, N, STACK, _> = Tracer::new(admitted, model, depth)?;
         let pixels = Pixels::rows(&tracer, &self.scene.camera, self.raster, first, self.raster.height());
         for (pixel, light) in out.iter_mut().zip(pixels) {
             *pixel = light.map(|register| register.0.to_bits());
@@ -83,17 +90,30 @@ impl Exact {
         Ok(())
     }
 
-    /// Returns the whole picture, row by row.
+    /// Returns the whole picture, row by row; the scene is searched by `accelerator`.
+    ///
+    /// # Errors
+    /// Those of [`Exact::rows`].
+    pub fn searched<M: Illumination<Q16>, N: Needs>(
+        &self,
+        accelerator: impl Accelerator<Q16>,
+        model: M,
+        depth: u32,
+    ) -> Result<Vec<Bits>, Error> {
+        let mut pixels = vec![Bits::default(); self.pixels()];
+        self.rows::<M, N>(accelerator, model, depth, 0, &mut pixels)?;
+        Ok(pixels)
+    }
+
+    /// Returns the whole picture, row by row; each ray is tried with one object after the other.
     ///
     /// # Errors
     /// Those of [`Exact::rows`].
     pub fn picture<M: Illumination<Q16>, N: Needs>(&self, model: M, depth: u32) -> Result<Vec<Bits>, Error> {
-        let mut pixels = vec![Bits::default(); self.pixels()];
-        self.rows::<M, N>(model, depth, 0, &mut pixels)?;
-        Ok(pixels)
+        self.searched::<M, N>(Lists, model, depth)
     }
 
-    /// Returns the whole picture in the thesis's model, drawn by this number of threads.
+    /// Returns the whole picture in the thesis's model as the program draws it, by this number of threads.
     ///
     /// # Errors
     /// Those of the threads and of the bands.
@@ -101,7 +121,7 @@ impl Exact {
         let size = Size::new(self.raster.width(), self.raster.height()).expect("a size");
         let mut pixels = Vec::with_capacity(size.pixels());
         let trace = |first, out: &mut [Bits]| {
-            self.rows::<_, Everything>(Rta, DEPTH, first, out).expect("the scene is admitted");
+            self.rows::<_, Everything>(&self.packets, Rta, DEPTH, first, out).expect("the scene is admitted");
         };
         bands::bands(size, &bands::pool(Some(threads))?, &AtomicBool::new(false), trace, |_, band| {
             pixels.extend(band);

@@ -1,12 +1,11 @@
-//! The numbers of each format as `f64`, and the size of a rounding in each format.
+//! The size of a rounding in each number format, and vectors and colours of a format from and to `f64`.
 
 use rta_core::color::Rgb;
-use rta_core::scalar::Radiance;
 use rta_core::vector::{UnitVec3, Vec3, Vector};
 use rta_core::{Q16, Q20};
 use rta_scenes::narrow::Narrow;
 
-/// A number format whose values a test can read, and whose roundings it can bound.
+/// A number format whose roundings a test can bound.
 pub trait Measure: Narrow {
     /// Size of one rounding of a length of about ten units, in units of length.
     const LENGTH: f64;
@@ -14,13 +13,6 @@ pub trait Measure: Narrow {
     const UNIT: f64;
     /// Size of one rounding of a radiance of about one.
     const LIGHT: f64;
-
-    /// Returns a length, not rounded.
-    fn read_length(self) -> f64;
-    /// Returns a component or coefficient, not rounded.
-    fn read_unit(unit: Self::Unit) -> f64;
-    /// Returns a radiance, not rounded.
-    fn read_light(light: Self::Light) -> f64;
 }
 
 macro_rules! fixed {
@@ -29,16 +21,6 @@ macro_rules! fixed {
             const LENGTH: f64 = $lsb;
             const UNIT: f64 = 1.0 / 1_073_741_824.0;
             const LIGHT: f64 = 1.0 / 65_536.0;
-
-            fn read_length(self) -> f64 {
-                self.to_num()
-            }
-            fn read_unit(unit: Self::Unit) -> f64 {
-                unit.to_num()
-            }
-            fn read_light(light: Radiance) -> f64 {
-                light.0.to_num()
-            }
         }
     };
 }
@@ -52,16 +34,6 @@ macro_rules! float {
             const LENGTH: f64 = 8.0 * <$f>::EPSILON as f64;
             const UNIT: f64 = <$f>::EPSILON as f64;
             const LIGHT: f64 = <$f>::EPSILON as f64;
-
-            fn read_length(self) -> f64 {
-                f64::from(self)
-            }
-            fn read_unit(unit: Self) -> f64 {
-                f64::from(unit)
-            }
-            fn read_light(light: Self) -> f64 {
-                f64::from(light)
-            }
         }
     };
 }
@@ -98,11 +70,11 @@ pub fn light<S: Measure>([r, g, b]: [f64; 3]) -> Rgb<S::Light> {
 /// Returns the components of a direction.
 #[must_use]
 pub fn read_direction<S: Measure>(v: UnitVec3<S>) -> [f64; 3] {
-    [v.x(), v.y(), v.z()].map(S::read_unit)
+    [v.x(), v.y(), v.z()].map(S::unit_to_f64)
 }
 
 /// Returns red, green and blue of a radiance.
 #[must_use]
 pub fn read_light<S: Measure>(light: Rgb<S::Light>) -> [f64; 3] {
-    [light.r, light.g, light.b].map(S::read_light)
+    [light.r, light.g, light.b].map(S::light_to_f64)
 }

@@ -2,7 +2,7 @@
 
 use rta_core::illumination::{Phong, Rta};
 use rta_core::needs::Everything;
-use rta_tests::exact::{Bits, DEPTH, Exact, OneByOne, hash, shipped_scene};
+use rta_tests::exact::{Bits, DEPTH, Exact, hash, shipped_scene};
 
 /// [`hash`] of each shipped scene at 320 x 200, which every build on every machine must draw.
 const HASHES: [(&str, u64); 3] = [
@@ -14,7 +14,8 @@ const HASHES: [(&str, u64); 3] = [
 #[test]
 fn every_build_draws_the_same_bytes() {
     let got = HASHES.map(|(name, _)| {
-        let picture = Exact::new(&shipped_scene(name), 320, 200).picture::<_, Everything>(Rta, DEPTH);
+        let exact = Exact::new(&shipped_scene(name), 320, 200);
+        let picture = exact.searched::<_, Everything>(exact.packets(), Rta, DEPTH);
         (name, hash(&picture.expect("it is drawn")))
     });
     assert!(got == HASHES, "got {got:#x?}, want {HASHES:#x?}");
@@ -31,11 +32,16 @@ fn every_build_draws_the_same_bytes_of_nff() {
         let text = std::fs::read(path).expect("a scene file");
         let scene = rta_scenes::read(&text, file).expect("a scene");
         let exact = Exact::new(&scene, 320, 200);
-        let picture = exact.picture::<_, Everything>(Phong::default(), DEPTH).expect("it is drawn");
+        let picture = exact.searched::<_, Everything>(exact.packets(), Phong::default(), DEPTH);
+        let picture = picture.expect("it is drawn");
         // As the program searches, as firmware does, and without any search.
-        let firmware = exact.without_lanes(&scene).picture::<_, Everything>(Phong::default(), DEPTH);
-        assert!(firmware.as_ref() == Ok(&picture), "{file} by boxes");
-        let listed = exact.picture::<_, OneByOne>(Phong::default(), DEPTH);
+        let bvh = exact.bvh();
+        assert_eq!(bvh.is_some(), file.contains("balls2"), "a hierarchy where there are objects enough");
+        if let Some(bvh) = bvh {
+            let firmware = exact.searched::<_, Everything>(bvh, Phong::default(), DEPTH);
+            assert!(firmware.as_ref() == Ok(&picture), "{file} by the hierarchy");
+        }
+        let listed = exact.picture::<_, Everything>(Phong::default(), DEPTH);
         assert!(listed.as_ref() == Ok(&picture), "{file} one by one");
         (file, hash(&picture))
     });
@@ -62,7 +68,7 @@ fn any_order_of_rows_draws_the_same_bytes() {
         let mut rows: Vec<_> = (0_u32..).zip(pixels.chunks_mut(exact.columns())).collect();
         dice.shuffle(&mut rows);
         for (y, row) in rows {
-            exact.rows::<_, Everything>(Rta, DEPTH, y, row).expect("it is drawn");
+            exact.rows::<_, Everything>(exact.packets(), Rta, DEPTH, y, row).expect("it is drawn");
         }
         assert_eq!(hash(&pixels), want, "{name} with its rows shuffled");
     }

@@ -1,12 +1,13 @@
 //! B. T. Phong, "Illumination for Computer Generated Pictures", Communications of the ACM 18 (1975), with the secondary
 //! rays of Whitted: how scenes in NFF are meant to be drawn.
 
-use super::{Illumination, Secondary, Surface, Whitted};
+use super::{Illumination, Secondary, Whitted};
 use crate::color::Rgb;
 use crate::light::Incident;
 use crate::needs::Needs;
 use crate::scalar::Scalar;
-use crate::vector::UnitVector;
+use crate::scalar::vector::UnitVector;
+use crate::surface::Surface;
 
 /// `I = Ia C ka kd + sum [kd (N.L) C + ks (R.L)^n] I + ks I_ref + kt I_tra`
 ///

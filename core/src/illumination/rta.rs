@@ -1,12 +1,13 @@
 //! The thesis's modified Whitted model (rta-model section 4).
 
-use super::{Illumination, Secondary, Surface};
+use super::{Illumination, Secondary};
 use crate::color::Rgb;
 use crate::light::Incident;
 use crate::material::{Finish, Material};
 use crate::needs::Needs;
+use crate::scalar::vector::{UnitVector, Vector};
 use crate::scalar::{Light, Scalar, Unit};
-use crate::vector::{UnitVector, Vector};
+use crate::surface::Surface;
 
 /// `I = kd { [(N.CENIT + k1) k2] Ia C + sum S [(1 - B) (L.N) / d^2 C + B] I } + ks I_ref C + kt I_tra`
 ///

@@ -1,12 +1,13 @@
 //! T. Whitted, "An Improved Illumination Model for Shaded Display", Communications of the ACM 23 (1980), section 2.
 
-use super::{Illumination, Secondary, Surface};
+use super::{Illumination, Secondary};
 use crate::color::Rgb;
 use crate::light::Incident;
 use crate::material::Material;
 use crate::needs::Needs;
+use crate::scalar::vector::UnitVector;
 use crate::scalar::{Light, Scalar, Unit};
-use crate::vector::UnitVector;
+use crate::surface::Surface;
 
 /// `I = Ia C ka + kd sum (N.L) C I + ks (I_ref + sum (N.H)^n I) + kt I_tra`
 ///

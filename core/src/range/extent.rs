@@ -1,15 +1,17 @@
 //! Where a scene lies: its box, the ball about the box's centre, and how far apart two of its places can be.
 
-use super::{Magnitude, Worst};
+use super::Worst;
+use crate::accelerator::Accelerator;
 use crate::camera::Camera;
-use crate::scalar::{Scalar, Unit};
+use crate::scalar::vector::{Vec3, Vector};
+use crate::scalar::{Magnitude, Scalar, Unit};
 use crate::scene::{Object, Scene};
-use crate::vector::{Vec3, Vector};
 
 /// The box of a scene, at a quarter of its size so that no sum of two of its numbers leaves the format.
-pub(super) struct Extent<'a, 's, S: Scalar> {
+pub(super) struct Extent<'a, 's, S: Scalar, A> {
     scene: &'a Scene<'s, S>,
     eye: Vec3<S>,
+    accelerator: &'a A,
     low: [S; 3],
     high: [S; 3],
 }
@@ -34,43 +36,41 @@ fn norm(sizes: [Magnitude; 3]) -> Magnitude {
     sizes.iter().fold(Magnitude::ZERO, |sum, &size| sum.plus(size.times(size))).root()
 }
 
-impl<'a, 's, S: Scalar> Extent<'a, 's, S> {
-    pub(super) fn of(scene: &'a Scene<'s, S>, camera: &Camera<S>) -> Self {
+impl<'a, 's, S: Scalar, A: Accelerator<S>> Extent<'a, 's, S, A> {
+    pub(super) fn of(scene: &'a Scene<'s, S>, camera: &Camera<S>, accelerator: &'a A) -> Self {
         let eye = axes::<S>(camera.eye).map(quarter);
-        let (mut low, mut high) = (eye, eye);
-        for (_, place, extent, _) in scene.solids() {
-            let radius = quarter(extent);
-            for ((low, high), c) in low.iter_mut().zip(&mut high).zip(axes::<S>(place).map(quarter)) {
-                *low = if c - radius < *low { c - radius } else { *low };
-                *high = if c + radius > *high { c + radius } else { *high };
-            }
-        }
+        let mut extent = Self { scene, eye: camera.eye, accelerator, low: eye, high: eye };
+        scene.solids(|_, place, radius, _| extent.hold(place, radius));
         // The rays are measured from the centres of nodes too.
-        for node in scene.hierarchy {
-            for ((low, high), c) in low.iter_mut().zip(&mut high).zip(axes::<S>(node.center).map(quarter)) {
-                *low = if c < *low { c } else { *low };
-                *high = if c > *high { c } else { *high };
-            }
+        accelerator.places(|center| extent.hold(center, S::ZERO));
+        extent
+    }
+
+    fn hold(&mut self, place: Vec3<S>, radius: S) {
+        let radius = quarter(radius);
+        let sides = self.low.iter_mut().zip(&mut self.high);
+        for ((low, high), c) in sides.zip(axes::<S>(place).map(quarter)) {
+            *low = if c - radius < *low { c - radius } else { *low };
+            *high = if c + radius > *high { c + radius } else { *high };
         }
-        Self { scene, eye: camera.eye, low, high }
     }
 
     /// The height at which cylinders end: the highest power of two, up to a quarter of the format, with which no
     /// distance exceeds `most`; but nothing of the scene is higher.
-    pub(super) fn lid(&self, has_cylinders: bool, most: Magnitude) -> Magnitude {
+    pub(super) fn cylinder_end(&self, has_cylinders: bool, most: Magnitude) -> Magnitude {
         let [_, _, low] = self.low;
         let [_, _, high] = self.high;
         let own = low.size().max(high.size()).shift(2);
         if !has_cylinders {
             return own;
         }
-        let lids = (2..16).map(|k| S::FAR.size().shift(-k)).take_while(|lid| *lid > own);
-        let mut fitting = lids.filter(|lid| self.bounds(*lid).1.0 <= most);
+        let ends = (2..16).map(|k| S::FAR.size().shift(-k)).take_while(|end| *end > own);
+        let mut fitting = ends.filter(|end| self.bounds(*end).1.0 <= most);
         fitting.next().unwrap_or(own)
     }
 
-    /// Bounds of a coordinate and of the distance between two places, with cylinders up to `lid`.
-    pub(super) fn bounds(&self, lid: Magnitude) -> (Worst, Worst) {
+    /// Bounds of a coordinate and of the distance between two places, with cylinders up to the height `cylinder_end`.
+    pub(super) fn bounds(&self, cylinder_end: Magnitude) -> (Worst, Worst) {
         let has_cylinders = !self.scene.cylinders.is_empty();
         // Quarters are rounded: four LSBs of the format, twice.
         let slack = S::CLEARANCE.shift(2);
@@ -79,7 +79,7 @@ impl<'a, 's, S: Scalar> Extent<'a, 's, S> {
             *side = (high - *low).size().shift(2).plus(slack);
         }
         let [x, y, z] = sides;
-        let diagonal = norm([x, y, if has_cylinders { z.max(lid.shift(1)) } else { z }]);
+        let diagonal = norm([x, y, if has_cylinders { z.max(cylinder_end.shift(1)) } else { z }]);
 
         let mut center = self.low;
         for (c, (low, high)) in center.iter_mut().zip(self.low.iter().zip(self.high)) {
@@ -95,15 +95,14 @@ impl<'a, 's, S: Scalar> Extent<'a, 's, S> {
             }
             if let (Some(Object::Cylinder(_)), [_, _, z]) = (object, &mut away) {
                 let [_, _, middle] = center;
-                *z = lid.plus(middle.size().shift(2));
-                coordinate.see(lid, object);
+                *z = cylinder_end.plus(middle.size().shift(2));
+                coordinate.see(cylinder_end, object);
             }
             radius.see(norm(away).plus(extent.size()), object);
         };
         see(None, self.eye, S::ZERO);
-        for (object, place, extent, _) in self.scene.solids() {
-            see(Some(object), place, extent);
-        }
+        self.scene.solids(|object, place, radius, _| see(Some(object), place, radius));
+        self.accelerator.places(|center| see(None, center, S::ZERO));
         let Worst(radius, object) = radius;
         let distance = radius.shift(1);
         (coordinate, Worst(if diagonal < distance { diagonal } else { distance }, object))

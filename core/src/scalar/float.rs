@@ -1,24 +1,18 @@
 //! `f32` and `f64` as scalars: glam's vectors, libm's square root. Nothing is fused and nothing is reordered, so the
 //! results are the same on every processor with IEEE 754 arithmetic.
-#![allow(clippy::float_arithmetic)] // with `lanes` and what traces four pixels by them, where the core has floats
+#![allow(clippy::float_arithmetic)] // the one file of the core that has floats
 
-use super::{Light, Scalar, Unit};
-use crate::color::Rgb;
-use crate::illumination::Illumination;
-use crate::lanes;
-use crate::needs::Needs;
-use crate::range::Magnitude;
-use crate::raster::Pixels;
-use crate::shape::sphere;
-use crate::vector::{LengthVector, Plan, UnitVector, Vector};
+use super::vector::{LengthVector, Plan, UnitVector, Vector};
+use super::{Light, Magnitude, Scalar, Unit};
 
 macro_rules! float {
-    ($f:ty, $vec:ty, $sqrt:path, $int:ident, $far:expr, $size:path, { $($own:item)* }) => {
+    ($f:ty, $vec:ty, $sqrt:path, $int:ident, $far:expr, $size:path) => {
         impl Unit for $f {
             type Inverse = $f;
             const ZERO: Self = 0.0;
             const ONE: Self = 1.0;
             const LARGEST: Magnitude = $size($far);
+            #[cfg_attr(not(target_os = "none"), inline)]
             fn size(self) -> Magnitude {
                 $size(self)
             }
@@ -29,26 +23,21 @@ macro_rules! float {
             fn fraction(numerator: i32, denominator: u32) -> Self {
                 numerator as $f / denominator as $f
             }
+            #[cfg_attr(not(target_os = "none"), inline)]
             fn times(self, factor: Self) -> Self {
                 self * factor
             }
             fn over(self, divisor: $f) -> Self {
                 self * divisor
             }
+            #[cfg_attr(not(target_os = "none"), inline)]
             fn discriminant(b: Self, a: Self, c: Self) -> Option<Self> {
                 let square = b * b - a * c;
                 if square >= 0.0 { Some($sqrt(square)) } else { None }
             }
+            #[cfg_attr(not(target_os = "none"), inline)]
             fn quotient(self, divisor: Self) -> Self {
                 self / divisor
-            }
-            fn reciprocal(self) -> Self {
-                1.0 / self.abs()
-            }
-            #[inline]
-            #[allow(clippy::cast_possible_truncation)] // to the nearest
-            fn coarse(self) -> f32 {
-                self as f32
             }
             fn radical(a: Self, b: Self, minus: Self) -> Option<Self> {
                 // (a - m)(a + m) keeps the digits that a^2 - m^2 would cancel.
@@ -62,27 +51,23 @@ macro_rules! float {
             const ZERO: Self = 0.0;
             const WHITE: Self = 1.0;
             const LARGEST: Magnitude = $size($far);
+            #[cfg_attr(not(target_os = "none"), inline)]
             fn size(self) -> Magnitude {
                 $size(self)
             }
             fn plus(self, other: Self) -> Self {
                 self + other
             }
+            #[cfg_attr(not(target_os = "none"), inline)]
             fn times(self, factor: Self) -> Self {
                 self * factor
             }
             #[cfg_attr(target_os = "none", inline(never))] // three registers ask
             #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a float's cast saturates
             fn level(self, max: u8) -> u8 {
-                if lanes::LANES {
-                    // The same without a branch.
-                    let light = if self >= 1.0 { 1.0 } else { self };
-                    (light * max as $f + 0.5) as u8
-                } else if self >= 1.0 {
-                    max
-                } else {
-                    (self * max as $f + 0.5) as i32 as u8
-                }
+                // Without a branch that depends on the light.
+                let light = if self >= 1.0 { 1.0 } else { self };
+                (light * max as $f + 0.5) as i32 as u8
             }
         }
 
@@ -103,6 +88,7 @@ macro_rules! float {
             const LARGEST_STRETCH: Magnitude = $size(1.0 / <$f>::EPSILON);
             const CLEARANCE: Magnitude = Magnitude::ZERO;
 
+            #[cfg_attr(not(target_os = "none"), inline)]
             fn size(self) -> Magnitude {
                 $size(self)
             }
@@ -111,24 +97,28 @@ macro_rules! float {
                 // Cut to the digits of the smaller float, so that it is not rounded up.
                 <$f as Scalar>::power(mantissa & !0xff, i16::try_from(exponent).unwrap_or(i16::MAX)).min($far)
             }
+            #[cfg_attr(not(target_os = "none"), inline)]
             fn power_size(power: $f) -> Magnitude {
                 $size(power)
             }
             fn scale(self, factor: Self) -> Self {
                 self * factor
             }
+            #[cfg_attr(not(target_os = "none"), inline)]
             fn square(self) -> Self {
                 self * self
             }
             fn sqrt(square: Self) -> Self {
                 if square > 0.0 { $sqrt(square) } else { 0.0 }
             }
+            #[cfg_attr(not(target_os = "none"), inline)]
             fn inverse(self) -> Self {
                 1.0 / self
             }
             fn fraction(self, whole: Self) -> Self {
                 self * whole
             }
+            #[cfg_attr(not(target_os = "none"), inline)]
             fn stretch(self, slope: Self) -> Self {
                 (self * slope).clamp(-$far, $far)
             }
@@ -138,31 +128,11 @@ macro_rules! float {
             /// A component of a foot point errs by at most `4 u (|b| + r)`, `u = EPSILON / 2`: the roundings of a
             /// product and a difference and what the direction is not a unit long. Two foot points of three components
             /// err by `7 EPSILON` of it; a little more than twice that is added.
-            fn swollen(self, distance: Self) -> Self {
+            #[cfg_attr(not(target_os = "none"), inline)]
+            fn padded(self, distance: Self) -> Self {
                 self + 16.0 * <$f>::EPSILON * (distance.abs() + self)
             }
-            /// A box is as far away as twice `self` in each coordinate, and a foot point errs by `14 EPSILON` of its distance
-            /// at most.
-            #[inline]
-            fn margin(self) -> Self {
-                64.0 * <$f>::EPSILON * self
-            }
-            #[inline]
-            fn either_side(self, by: Self) -> [Self; 2] {
-                [self - by, self + by]
-            }
-            #[inline]
-            #[allow(clippy::cast_possible_truncation)] // to the nearest
-            fn coarse(self) -> f32 {
-                self as f32
-            }
-            #[inline]
-            #[allow(clippy::cast_possible_truncation)] // of the same size
-            fn coarse_margin(far: f32) -> f32 {
-                far * lanes::margin(1.0, (64.0 * <$f>::EPSILON) as f32)
-            }
-            $($own)*
-            #[inline]
+            #[cfg_attr(not(target_os = "none"), inline)]
             fn next_up(self) -> Self {
                 Self::from_bits(self.to_bits() + 1)
             }
@@ -178,6 +148,7 @@ macro_rules! float {
                 let floor = cut - $int::from(cut as $f > tile);
                 floor & 1 == 1
             }
+            #[cfg_attr(not(target_os = "none"), inline)]
             fn odd_far_tile(self, slope: Self, height: Self, fall: Self) -> bool {
                 (self + slope * (height / fall)).odd_tile()
             }
@@ -185,6 +156,7 @@ macro_rules! float {
                 let step: $f = if exponent < 0 { 0.5 } else { 2.0 };
                 (0..exponent.unsigned_abs()).fold(mantissa as $f, |power, _| power * step)
             }
+            #[cfg_attr(not(target_os = "none"), inline)]
             fn intensity(power: Self) -> Self {
                 power
             }
@@ -196,12 +168,14 @@ macro_rules! float {
 
         impl Vector for $vec {
             type Component = $f;
+            #[cfg_attr(not(target_os = "none"), inline)]
             fn new(x: $f, y: $f, z: $f) -> Self {
                 Self::new(x, y, z)
             }
             fn x(self) -> $f {
                 self.x
             }
+            #[cfg_attr(not(target_os = "none"), inline)]
             fn y(self) -> $f {
                 self.y
             }
@@ -212,18 +186,21 @@ macro_rules! float {
 
         impl LengthVector for $vec {
             type Scalar = $f;
+            #[cfg_attr(not(target_os = "none"), inline)]
             fn dot(self, direction: Self) -> $f {
                 self.dot(direction)
             }
             fn norm_squared(self) -> $f {
                 self.length_squared()
             }
+            #[cfg_attr(not(target_os = "none"), inline)]
             fn along(self, direction: Self, distance: $f) -> Self {
                 self + direction * distance
             }
             fn reject(self, direction: Self, distance: $f) -> Self {
                 self - direction * distance
             }
+            #[cfg_attr(not(target_os = "none"), inline)]
             fn local(self, direction: Self, distance: $f, radius: $f) -> Self {
                 (direction * distance - self) * radius
             }
@@ -236,16 +213,19 @@ macro_rules! float {
             /// times the error of the normal, about `4 u`, in each component, with `u = EPSILON / 2`. The offset is
             /// `8 EPSILON (|p| + r)`, three times their sum: the rest answers for the rounding of the foot point when
             /// the ray that leaves is tested against the surface it left.
+            #[cfg_attr(not(target_os = "none"), inline)]
             fn clearance(self, extent: $f) -> ($f, $f) {
                 let step = 8.0 * <$f>::EPSILON * (self.abs().max_element() + extent);
                 (step, 6.0 * step)
             }
+            #[cfg_attr(not(target_os = "none"), inline)]
             fn dot_plan(self, plan: Plan<$f>) -> $f {
                 self.x * plan.x + self.y * plan.y
             }
             fn cross_plan(self, plan: Plan<$f>) -> $f {
                 self.x * plan.y - self.y * plan.x
             }
+            #[cfg_attr(not(target_os = "none"), inline)]
             fn cross_plan_over(self, plan: Plan<$f>, radius: $f) -> $f {
                 (self.cross_plan(plan) * radius).clamp(-1.0, 1.0)
             }
@@ -255,18 +235,21 @@ macro_rules! float {
             const X: Self = Self::X;
             const Y: Self = Self::Y;
             const Z: Self = Self::Z;
+            #[cfg_attr(not(target_os = "none"), inline)]
             fn dot(self, other: Self) -> $f {
                 self.dot(other)
             }
             fn cross(self, other: Self) -> Self {
                 self.cross(other)
             }
+            #[cfg_attr(not(target_os = "none"), inline)]
             fn scale(self, factor: $f) -> Self {
                 self * factor
             }
             fn times(self, other: Self) -> Self {
                 self * other
             }
+            #[cfg_attr(not(target_os = "none"), inline)]
             fn plus(self, other: Self, factor: $f) -> Self {
                 self + other * factor
             }
@@ -274,16 +257,19 @@ macro_rules! float {
                 let inverse = 1.0 / $sqrt(self.length_squared());
                 if inverse < <$f>::INFINITY { Some((self * inverse, inverse)) } else { None }
             }
+            #[cfg_attr(not(target_os = "none"), inline)]
             fn reflect(self, normal: Self) -> Self {
                 self - normal * (2.0 * self.dot(normal))
             }
             fn halfway(self, other: Self) -> Option<Self> {
                 UnitVector::normalize(self + other).map(|(halfway, _)| halfway)
             }
+            #[cfg_attr(not(target_os = "none"), inline)]
             fn half_chord(self, radius: $f) -> Option<$f> {
                 let square = radius * radius - self.length_squared();
                 if square < 0.0 { None } else { Some($sqrt(square)) }
             }
+            #[cfg_attr(not(target_os = "none"), inline)]
             fn plan<S: Scalar<Unit = $f>>(self) -> Option<Plan<S>> {
                 let stretch = 1.0 / $sqrt(self.x * self.x + self.y * self.y);
                 if stretch < <$f>::INFINITY {
@@ -296,24 +282,9 @@ macro_rules! float {
     };
 }
 
-float!(f32, glam::Vec3, libm::sqrtf, i32, 1e18, size32, {
-    const IN_LANES: bool = true;
-    /// The lanes have done the search's own arithmetic, in its order.
-    #[inline]
-    fn of_lane(along: f32, across: f32, radius: f32, t_max: f32) -> Option<Option<f32>> {
-        Some(sphere::within(along, across, radius, t_max))
-    }
-    #[inline]
-    fn fold_pixels<M: Illumination<Self>, N: Needs, const STACK: usize, B>(
-        pixels: Pixels<Self, M, N, STACK>,
-        init: B,
-        f: impl FnMut(B, Rgb<Self>) -> B,
-    ) -> B {
-        if lanes::LANES { pixels.by_fours(init, f) } else { pixels.one_by_one(init, f) }
-    }
-});
+float!(f32, glam::Vec3, libm::sqrtf, i32, 1e18, size32);
 #[cfg(feature = "f64")]
-float!(f64, glam::DVec3, libm::sqrt, i64, 1e150, size64, {});
+float!(f64, glam::DVec3, libm::sqrt, i64, 1e150, size64);
 
 /// The size of a number, from its bits (IEEE 754); of one that is not finite, larger than any other.
 const fn size32(value: f32) -> Magnitude {

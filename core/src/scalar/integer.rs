@@ -27,6 +27,7 @@ const GUESS: [u16; 49] = {
 ///
 /// A table with linear interpolation gives 11 bits, two steps of Newton's iteration the rest.
 #[allow(clippy::cast_possible_truncation)] // sizes are at the line
+#[cfg_attr(not(target_os = "none"), inline)]
 pub fn rsqrt(m: u32) -> u32 {
     let i = (m >> 26) as usize - 16 * usize::from(m >= 1 << 30);
     let at = |i: usize| u32::from(GUESS.get(i).copied().unwrap_or(1 << 14));
@@ -45,6 +46,7 @@ pub fn rsqrt(m: u32) -> u32 {
 }
 
 /// `value << shift` with an even shift such that the top two bits are not both 0, its upper word, and the shift.
+#[cfg_attr(not(target_os = "none"), inline)]
 fn normalize(value: u64) -> (u64, u32) {
     let shift = value.leading_zeros() & !1;
     (value << (shift & 63), shift)
@@ -52,6 +54,7 @@ fn normalize(value: u64) -> (u64, u32) {
 
 /// The square root, rounded to the nearest (an exact half cannot be).
 #[allow(clippy::cast_possible_truncation)] // sizes are at the line
+#[cfg_attr(not(target_os = "none"), inline)]
 pub fn sqrt(value: u64) -> u32 {
     if value == 0 {
         return 0;
@@ -82,6 +85,7 @@ impl Reciprocal {
 
     /// `1 / value`; of 0 as of 1.
     #[allow(clippy::cast_possible_truncation)] // sizes are at the line
+    #[cfg_attr(not(target_os = "none"), inline)]
     pub fn of(value: u32) -> Self {
         let value = value.max(1);
         let exponent = 32 - value.leading_zeros();
@@ -95,6 +99,7 @@ impl Reciprocal {
 
     /// `1 / sqrt(square)` with `sqrt(square)`, rounded; of 0 as of 1.
     #[allow(clippy::cast_possible_truncation)] // sizes are at the line
+    #[cfg_attr(not(target_os = "none"), inline)]
     pub fn of_sqrt(square: u64) -> (Self, u32) {
         let (wide, shift) = normalize(square.max(1));
         let m = (wide >> 32) as u32;
@@ -112,6 +117,7 @@ impl Reciprocal {
     }
 
     /// `2^30 factor / value`, rounded.
+    #[cfg_attr(not(target_os = "none"), inline)]
     pub fn times(self, factor: i32) -> i64 {
         shift_right_by(wide_mixed(factor, self.mantissa), u32::from(self.exponent))
     }
@@ -123,11 +129,13 @@ impl Reciprocal {
 }
 
 /// `value / 2^shift`, rounded to the nearest, halves up; `shift < 64`.
+#[cfg_attr(not(target_os = "none"), inline)]
 pub fn shift_right(value: i64, shift: u32) -> i64 {
     (value + ((1 << shift) >> 1)) >> shift
 }
 
 /// The same by a shift that is known only when the program runs: one shift of 64 bits, which is dear on words of 32.
+#[cfg_attr(not(target_os = "none"), inline)]
 pub(crate) fn shift_right_by(value: i64, shift: u32) -> i64 {
     match shift {
         0 => value,

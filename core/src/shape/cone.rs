@@ -4,12 +4,13 @@
 //! the side is `cos^2 |x|^2 = (r cos + z sin)^2`, with `x` across the axis, `z` along it, `r` the radius in the middle, and
 //! cosine and sine of the angle between side and axis; no number is above 2, whatever the shape.
 
-use super::Spot;
+use super::{Look, Primitive, SurfacePoint};
 use crate::color::Rgb;
 use crate::material::Material;
+use crate::needs::Needs;
 use crate::ray::Ray;
+use crate::scalar::vector::{LengthVector, UnitVec3, UnitVector, Vec3};
 use crate::scalar::{Scalar, Unit};
-use crate::vector::{LengthVector, UnitVec3, UnitVector, Vec3};
 
 /// A cone or cylinder between two points.
 #[derive(Clone, Copy, Debug)]
@@ -76,7 +77,7 @@ impl<S: Scalar> Cone<S> {
     fn local(&self, ray: &Ray<S>, t_max: S) -> Option<Local<S>> {
         let displacement = self.center - ray.origin;
         let b = displacement.dot(ray.direction);
-        let radius = self.span.scale(S::Unit::ratio(1, 2)).swollen(b);
+        let radius = self.span.scale(S::Unit::ratio(1, 2)).padded(b);
         if b + radius <= S::ZERO || b - radius >= t_max {
             return None;
         }
@@ -155,16 +156,17 @@ impl<S: Scalar> Cone<S> {
         let Some((radial, _)) = across.normalize() else { return self.axis };
         radial.scale(self.cosine).plus(self.axis, -self.sine).tighten()
     }
+}
 
-    /// Distance of the nearest hit in ]0, `t_max`[.
-    pub fn intersect(&self, ray: &Ray<S>, t_max: S) -> Option<S> {
+impl<S: Scalar> Primitive<S> for Cone<S> {
+    fn intersect(&self, ray: &Ray<S>, t_max: S) -> Option<S> {
         let local = self.local(ray, t_max)?;
         self.meet(ray, &local, t_max).map(|meeting| meeting.distance)
     }
 
-    /// The surface where [`Cone::intersect`] found the distance `t`.
-    pub fn spot(&self, ray: &Ray<S>, t: S) -> Spot<S> {
-        let lost = Spot { distance: t, point: ray.origin.along(ray.direction, t), normal: -ray.direction };
+    fn point<N: Needs>(&self, ray: &Ray<S>, t: S) -> SurfacePoint<S> {
+        let lost =
+            SurfacePoint { distance: t, point: ray.origin.along(ray.direction, t), normal: -ray.direction };
         let Some(local) = self.local(ray, S::FAR) else { return lost };
         let Some(Meeting { offset, distance, part }) = self.meet(ray, &local, S::FAR) else { return lost };
         let place = local.foot.plus(ray.direction, offset);
@@ -180,12 +182,19 @@ impl<S: Scalar> Cone<S> {
             Part::Apex => (self.axis, z - self.half_height),
         };
         let place = place.plus(normal, -off);
-        Spot { distance, point: self.center.along(place, self.span), normal }
+        SurfacePoint { distance, point: self.center.along(place, self.span), normal }
     }
 
-    /// The extent that [`LengthVector::clearance`] is to be told.
-    pub(crate) fn extent(&self) -> S {
+    fn look(&self) -> Look<'_, S> {
         let [base, apex] = self.radii;
-        self.span.squashed(if base > apex { base } else { apex })
+        let radius = self.span.scale(S::Unit::ratio(1, 2));
+        Look {
+            color: self.color,
+            material: &self.material,
+            extent: self.span.squashed(if base > apex { base } else { apex }),
+            center: self.center,
+            radius,
+            least: radius,
+        }
     }
 }

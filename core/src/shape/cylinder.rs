@@ -1,13 +1,15 @@
 //! The infinite vertical cylinder: a circle in the ground plan, and the ray's shadow in it.
 
-use super::{Spot, ahead};
+use super::{Look, Primitive, SurfacePoint, ahead};
 use crate::color::Rgb;
 use crate::material::Material;
-use crate::ray::Ray;
+use crate::needs::Needs;
+use crate::ray::{GroundPlan, Ray};
+use crate::scalar::vector::{LengthVector, UnitVec3, UnitVector, Vec3, Vector};
 use crate::scalar::{Scalar, Unit};
-use crate::vector::{LengthVector, UnitVec3, UnitVector, Vec3, Vector};
 
-/// A vertical cylinder without ends; it is seen as far up and down as [`Limits::lid`](crate::range::Limits::lid).
+/// A vertical cylinder without ends; it is seen as far up and down as
+/// [`Limits::cylinder_end`](crate::scene::Limits::cylinder_end).
 #[derive(Clone, Copy, Debug)]
 pub struct Cylinder<S: Scalar> {
     /// A place on the axis.
@@ -27,10 +29,14 @@ impl<S: Scalar> Cylinder<S> {
     pub fn new(center: Vec3<S>, radius: S, color: Rgb<S::Unit>, material: Material<S>) -> Self {
         Self { center, radius, inverse_radius: radius.inverse(), color, material }
     }
+}
 
-    /// Distance of the nearest hit in ]0, `t_max`[ and between the heights `-lid` and `lid`.
-    pub fn intersect(&self, ray: &Ray<S>, t_max: S, lid: S) -> Option<S> {
-        let plan = ray.plan()?;
+impl<S: Scalar> Primitive<S> for Cylinder<S> {
+    const IS_FINITE: bool = false;
+
+    /// Nothing where the ray has no [`plan`](Ray::plan).
+    fn intersect(&self, ray: &Ray<S>, t_max: S) -> Option<S> {
+        let GroundPlan { direction: plan, cylinder_end: end } = ray.plan?;
         let displacement = self.center - ray.origin;
         let b = displacement.dot_plan(plan);
         if b + self.radius <= S::ZERO {
@@ -44,14 +50,17 @@ impl<S: Scalar> Cylinder<S> {
         let half = S::sqrt(square - across);
         let t = ahead((b - half).stretch(plan.stretch), (b + half).stretch(plan.stretch), t_max)?;
         let (z, rise) = (ray.origin.z(), t.scale(ray.direction.z()));
-        (rise < lid - z && rise > -lid - z).then_some(t)
+        (rise < end - z && rise > -end - z).then_some(t)
     }
 
-    /// The surface where [`Cylinder::intersect`] found the distance `t`.
-    pub fn spot(&self, ray: &Ray<S>, t: S) -> Spot<S> {
-        let Some(plan) = ray.plan() else {
+    fn point<N: Needs>(&self, ray: &Ray<S>, t: S) -> SurfacePoint<S> {
+        let Some(plan) = ray.plan.map(|plan| plan.direction).or_else(|| ray.direction.plan()) else {
             // A vertical ray meets no cylinder.
-            return Spot { distance: t, point: ray.origin.along(ray.direction, t), normal: -ray.direction };
+            return SurfacePoint {
+                distance: t,
+                point: ray.origin.along(ray.direction, t),
+                normal: -ray.direction,
+            };
         };
         let displacement = self.center - ray.origin;
         let b = displacement.dot_plan(plan);
@@ -74,6 +83,13 @@ impl<S: Scalar> Cylinder<S> {
             self.center.y(),
             ray.origin.z() + distance.scale(ray.direction.z()),
         );
-        Spot { distance, point: axis.along(normal, self.radius), normal }
+        SurfacePoint { distance, point: axis.along(normal, self.radius), normal }
+    }
+
+    /// Where its axis meets the floor.
+    fn look(&self) -> Look<'_, S> {
+        let Self { radius, color, ref material, .. } = *self;
+        let center = Vec3::<S>::new(self.center.x(), self.center.y(), S::ZERO);
+        Look { color, material, extent: radius, center, radius, least: radius }
     }
 }

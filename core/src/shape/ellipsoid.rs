@@ -4,12 +4,13 @@
 //! far one, and gives a bounding sphere. Then each axis is squashed to the smallest radius, which makes the ellipsoid
 //! a sphere and never enlarges a number, and the sphere's foot point does the rest.
 
-use super::{Spot, ahead};
+use super::{Look, Primitive, SurfacePoint, ahead};
 use crate::color::Rgb;
 use crate::material::Material;
+use crate::needs::Needs;
 use crate::ray::Ray;
+use crate::scalar::vector::{LengthVector, UnitVec3, UnitVector, Vec3, Vector};
 use crate::scalar::{Scalar, Unit};
-use crate::vector::{LengthVector, UnitVec3, UnitVector, Vec3, Vector};
 
 /// An ellipsoid.
 #[derive(Clone, Copy, Debug)]
@@ -84,21 +85,22 @@ impl<S: Scalar> Ellipsoid<S> {
         Some(Squashed { b, direction, stretch, foot, past, half })
     }
 
-    /// Distance of the nearest hit in ]0, `t_max`[.
-    pub fn intersect(&self, ray: &Ray<S>, t_max: S) -> Option<S> {
+    fn roots(&self, s: &Squashed<S>) -> (S, S) {
+        let at = |offset: S::Unit| s.b + self.extent.scale((offset - s.past).over(s.stretch));
+        (at(-s.half), at(s.half))
+    }
+}
+
+impl<S: Scalar> Primitive<S> for Ellipsoid<S> {
+    fn intersect(&self, ray: &Ray<S>, t_max: S) -> Option<S> {
         let s = self.squash(ray, t_max)?;
         let (near, far) = self.roots(&s);
         ahead(near, far, t_max)
     }
 
-    fn roots(&self, s: &Squashed<S>) -> (S, S) {
-        let at = |offset: S::Unit| s.b + self.extent.scale((offset - s.past).over(s.stretch));
-        (at(-s.half), at(s.half))
-    }
-
-    /// The surface where [`Ellipsoid::intersect`] found the distance `t`.
-    pub fn spot(&self, ray: &Ray<S>, t: S) -> Spot<S> {
-        let up = Spot { distance: t, point: ray.origin.along(ray.direction, t), normal: -ray.direction };
+    fn point<N: Needs>(&self, ray: &Ray<S>, t: S) -> SurfacePoint<S> {
+        let up =
+            SurfacePoint { distance: t, point: ray.origin.along(ray.direction, t), normal: -ray.direction };
         let Some(s) = self.squash(ray, S::FAR) else { return up };
         let (near, far) = self.roots(&s);
         let (distance, offset) = if near > S::ZERO { (near, -s.half) } else { (far, s.half) };
@@ -107,6 +109,19 @@ impl<S: Scalar> Ellipsoid<S> {
         let Some((normal, _)) = place.times(self.squash).normalize() else { return up };
         let (r, p) = (self.radii, place);
         let arm = Vec3::<S>::new(r.x().scale(p.x()), r.y().scale(p.y()), r.z().scale(p.z()));
-        Spot { distance, point: self.center + arm, normal }
+        SurfacePoint { distance, point: self.center + arm, normal }
+    }
+
+    fn look(&self) -> Look<'_, S> {
+        let (x, y, z) = (self.radii.x(), self.radii.y(), self.radii.z());
+        let smaller = if x < y { x } else { y };
+        Look {
+            color: self.color,
+            material: &self.material,
+            extent: self.extent.squashed(self.thickness),
+            center: self.center,
+            radius: self.extent,
+            least: if smaller < z { smaller } else { z },
+        }
     }
 }

@@ -1,10 +1,10 @@
 //! The chequered floor `z = 0`: tiles of 3 x 3 units (Graham 1987).
 
-use super::Spot;
+use super::SurfacePoint;
 use crate::color::Rgb;
 use crate::ray::Ray;
 use crate::scalar::Scalar;
-use crate::vector::{LengthVector, UnitVec3, UnitVector, Vec3, Vector};
+use crate::scalar::vector::{LengthVector, UnitVec3, UnitVector, Vec3, Vector};
 
 /// The floor; opaque.
 #[derive(Clone, Copy, Debug)]
@@ -29,11 +29,11 @@ impl<S: Scalar> Floor<S> {
 
     /// The surface where [`Floor::intersect`] found the distance `t`, and the colour of the tile.
     ///
-    /// Beyond `reach` the colour is that of the place itself, and the place that is lit is at that distance.
-    pub fn spot(&self, ray: &Ray<S>, t: S, reach: S) -> (Spot<S>, Rgb<S::Unit>) {
+    /// Beyond `floor_end` the colour is that of the place itself, and the place that is lit is at that distance.
+    pub fn point(&self, ray: &Ray<S>, t: S, floor_end: S) -> (SurfacePoint<S>, Rgb<S::Unit>) {
         let (o, d) = (ray.origin, ray.direction);
-        let near = t <= reach;
-        let place = o.along(d, if near { t } else { reach });
+        let near = t <= floor_end;
+        let place = o.along(d, if near { t } else { floor_end });
         let odd = if near {
             place.x().odd_tile() != place.y().odd_tile()
         } else {
@@ -42,6 +42,9 @@ impl<S: Scalar> Floor<S> {
         };
         let point = Vec3::<S>::new(place.x(), place.y(), S::ZERO);
         let [even_color, odd_color] = self.colors;
-        (Spot { distance: t, point, normal: UnitVec3::<S>::Z }, if odd { odd_color } else { even_color })
+        (
+            SurfacePoint { distance: t, point, normal: UnitVec3::<S>::Z },
+            if odd { odd_color } else { even_color },
+        )
     }
 }

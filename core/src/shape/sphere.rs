@@ -2,12 +2,13 @@
 //! Improvements for Ray/Sphere Intersection", Ray Tracing Gems, 2019, chapter 7): the discriminant is `r^2 - |l|^2`
 //! with `l` the displacement from the ray to the centre, and nothing large is subtracted from anything large.
 
-use super::{Spot, ahead};
+use super::{Look, Primitive, SurfacePoint, ahead};
 use crate::color::Rgb;
 use crate::material::Material;
+use crate::needs::Needs;
 use crate::ray::Ray;
+use crate::scalar::vector::{LengthVector, UnitVector, Vec3};
 use crate::scalar::{Scalar, Unit};
-use crate::vector::{LengthVector, UnitVector, Vec3};
 
 /// A sphere.
 #[derive(Clone, Copy, Debug)]
@@ -30,15 +31,33 @@ impl<S: Scalar> Sphere<S> {
         Self { center, radius, inverse_radius: radius.inverse(), color, material }
     }
 
-    /// Distance of the nearest hit in ]0, `t_max`[.
+    /// Returns the distance of the nearest hit in ]0, `t_max`[ of a sphere that has no look, such as a lamp.
+    #[cfg_attr(not(target_os = "none"), inline)]
+    #[cfg_attr(target_os = "none", inline(never))] // rays, shadow rays and lamps share it where flash is short
+    pub fn distance(center: Vec3<S>, radius: S, ray: &Ray<S>, t_max: S) -> Option<S> {
+        let displacement = center - ray.origin;
+        let b = displacement.dot(ray.direction);
+        if b + radius <= S::ZERO || b - radius >= t_max {
+            return None;
+        }
+        let across = displacement.reject(ray.direction, b).norm_squared();
+        let square = radius.square();
+        if across > square {
+            return None;
+        }
+        let half = S::sqrt(square - across);
+        ahead(b - half, b + half, t_max)
+    }
+}
+
+impl<S: Scalar> Primitive<S> for Sphere<S> {
     #[inline]
-    pub fn intersect(&self, ray: &Ray<S>, t_max: S) -> Option<S> {
-        intersect(self.center, self.radius, ray, t_max)
+    fn intersect(&self, ray: &Ray<S>, t_max: S) -> Option<S> {
+        Self::distance(self.center, self.radius, ray, t_max)
     }
 
-    /// The surface where [`Sphere::intersect`] found the distance `t`.
     #[inline]
-    pub fn spot(&self, ray: &Ray<S>, t: S) -> Spot<S> {
+    fn point<N: Needs>(&self, ray: &Ray<S>, t: S) -> SurfacePoint<S> {
         let displacement = self.center - ray.origin;
         let b = displacement.dot(ray.direction);
         // A place on the ray beside the centre, the centre at 0 and the radius 1.
@@ -54,30 +73,12 @@ impl<S: Scalar> Sphere<S> {
             None => (foot.normalize().map_or(-ray.direction, |(normal, _)| normal), -past),
         };
         let point = self.center.along(normal, self.radius);
-        Spot { distance: b + self.radius.scale(offset), point, normal }
+        SurfacePoint { distance: b + self.radius.scale(offset), point, normal }
     }
-}
 
-/// Distance of the nearest hit of a sphere in ]0, `t_max`[.
-#[cfg_attr(not(target_os = "none"), inline)]
-#[cfg_attr(target_os = "none", inline(never))] // rays, shadow rays and lamps share it where flash is short
-pub(crate) fn intersect<S: Scalar>(center: Vec3<S>, radius: S, ray: &Ray<S>, t_max: S) -> Option<S> {
-    let displacement = center - ray.origin;
-    let b = displacement.dot(ray.direction);
-    if b + radius <= S::ZERO || b - radius >= t_max {
-        return None;
+    #[inline]
+    fn look(&self) -> Look<'_, S> {
+        let Self { center, radius, color, ref material, .. } = *self;
+        Look { color, material, extent: radius, center, radius, least: radius }
     }
-    let across = displacement.reject(ray.direction, b).norm_squared();
-    within(b, across, radius, t_max)
-}
-
-/// The same from the distance `b` of the foot point, and the square of how far that is from the centre.
-#[cfg_attr(not(target_os = "none"), inline)]
-pub(crate) fn within<S: Scalar>(b: S, across: S::Wide, radius: S, t_max: S) -> Option<S> {
-    let square = radius.square();
-    if across > square {
-        return None;
-    }
-    let half = S::sqrt(square - across);
-    ahead(b - half, b + half, t_max)
 }

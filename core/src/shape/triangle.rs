@@ -3,13 +3,13 @@
 //! The ray is looked at from beside a corner, so that nothing is larger than the triangle, and what lies on an edge
 //! belongs to both triangles that share it.
 
-use super::Spot;
+use super::{Look, Primitive, SurfacePoint};
 use crate::color::Rgb;
 use crate::material::Material;
-use crate::needs::Needs;
+use crate::needs::{Needs, Used};
 use crate::ray::Ray;
+use crate::scalar::vector::{LengthVector, UnitVec3, UnitVector, Vec3};
 use crate::scalar::{Scalar, Unit};
-use crate::vector::{LengthVector, UnitVec3, UnitVector, Vec3};
 
 /// A triangle, seen from both sides.
 #[derive(Clone, Copy, Debug)]
@@ -33,12 +33,6 @@ pub struct Triangle<S: Scalar> {
 }
 
 impl<S: Scalar> Triangle<S> {
-    /// Distance of the hit in ]0, `t_max`[.
-    #[inline]
-    pub fn intersect(&self, ray: &Ray<S>, t_max: S) -> Option<S> {
-        self.meet(ray, t_max).map(|(t, _)| t)
-    }
-
     /// The distance of the hit, and its place relative to the corner.
     #[inline]
     fn meet(&self, ray: &Ray<S>, t_max: S) -> Option<(S, Vec3<S>)> {
@@ -54,7 +48,7 @@ impl<S: Scalar> Triangle<S> {
             return None;
         }
         // What this and the neighbours' tests can be wrong together.
-        let reach = self.extent.swollen(b);
+        let reach = self.extent.padded(b);
         let slack = self.extent - reach;
         let foot = displacement.reject(ray.direction, b);
         if foot.norm_squared() > reach.square() {
@@ -87,25 +81,6 @@ impl<S: Scalar> Triangle<S> {
         inside.then_some((t, place))
     }
 
-    /// The surface where [`Triangle::intersect`] found the distance `t`.
-    pub fn spot<N: Needs>(&self, ray: &Ray<S>, t: S) -> Spot<S> {
-        let Some((distance, place)) = self.meet(ray, S::FAR) else {
-            return Spot { distance: t, point: ray.origin.along(ray.direction, t), normal: self.normal };
-        };
-        // Back into the plane by what the roundings have left.
-        let place = place.reject(self.normal, place.dot(self.normal));
-        let mut normal = self.normal;
-        if N::NORMALS
-            && let Some(normals) = self.normals
-            && let Some(curved) = self.curved(place, normals)
-            // Where the curve turns away from an eye that sees the triangle, it is flat.
-            && (curved.dot(ray.direction) > S::Unit::ZERO) == (normal.dot(ray.direction) > S::Unit::ZERO)
-        {
-            normal = curved;
-        }
-        Spot { distance, point: self.corner + place, normal }
-    }
-
     /// The vertices' normals, mixed by how near the place is to each.
     fn curved(&self, place: Vec3<S>, [first, second, third]: [UnitVec3<S>; 3]) -> Option<UnitVec3<S>> {
         let part = |away: S, height: S| {
@@ -119,5 +94,44 @@ impl<S: Scalar> Triangle<S> {
         let half = S::Unit::ratio(1, 2);
         let mixed = first.scale(a.times(half)).plus(second, b.times(half)).plus(third, c.times(half));
         mixed.normalize().map(|(normal, _)| normal)
+    }
+}
+
+impl<S: Scalar> Primitive<S> for Triangle<S> {
+    #[inline]
+    fn intersect(&self, ray: &Ray<S>, t_max: S) -> Option<S> {
+        self.meet(ray, t_max).map(|(t, _)| t)
+    }
+
+    fn point<N: Needs>(&self, ray: &Ray<S>, t: S) -> SurfacePoint<S> {
+        let Some((distance, place)) = self.meet(ray, S::FAR) else {
+            return SurfacePoint {
+                distance: t,
+                point: ray.origin.along(ray.direction, t),
+                normal: self.normal,
+            };
+        };
+        // Back into the plane by what the roundings have left.
+        let place = place.reject(self.normal, place.dot(self.normal));
+        let mut normal = self.normal;
+        if N::NORMALS
+            && let Some(normals) = self.normals
+            && let Some(curved) = self.curved(place, normals)
+            // Where the curve turns away from an eye that sees the triangle, it is flat.
+            && (curved.dot(ray.direction) > S::Unit::ZERO) == (normal.dot(ray.direction) > S::Unit::ZERO)
+        {
+            normal = curved;
+        }
+        SurfacePoint { distance, point: self.corner + place, normal }
+    }
+
+    #[inline]
+    fn look(&self) -> Look<'_, S> {
+        let Self { corner, extent, color, ref material, .. } = *self;
+        Look { color, material, extent, center: corner, radius: extent, least: extent }
+    }
+
+    fn note_needs(&self, used: &mut Used) {
+        used.normals |= self.normals.is_some();
     }
 }

@@ -3,9 +3,9 @@
 use core::str::FromStr;
 use std::path::PathBuf;
 
-use clap::builder::{PossibleValuesParser, TypedValueParser};
-use clap::{Args, ValueEnum};
+use clap::Args;
 
+use super::choice;
 use super::tracing::TracingArgs;
 use crate::engine::{Format, MAX_DEPTH, Model};
 use crate::picture::raster::{Aspect, Size};
@@ -41,11 +41,10 @@ pub struct ExplainArgs {
     #[arg(long, value_name = "X,Y")]
     pub pixel: Choice,
     /// Number format that is put beside f64
-    #[arg(long, default_value = "q16", value_parser = PossibleValuesParser::new(["f32", "q16", "q20"])
-        .try_map(|name| <Format as ValueEnum>::from_str(&name, false)))]
+    #[arg(long, default_value_t = Format::Q16, value_parser = choice::tested_format())]
     pub format: Format,
     /// Illumination model [default: what the scene was made for: rta, or phong for .nff]
-    #[arg(long, value_enum)]
+    #[arg(long, value_parser = choice::model())]
     pub model: Option<Model>,
     /// Reflections and refractions that a ray is followed through; 0 is what the eye sees directly
     #[arg(long, default_value_t = 5, value_name = "N", value_parser = clap::value_parser!(u32).range(..=i64::from(MAX_DEPTH)))]

@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 
+use super::choice;
 use crate::engine::{Format, MAX_DEPTH};
 use crate::picture::raster::{Aspect, Size};
 
@@ -15,7 +16,7 @@ pub struct BenchArgs {
     #[arg(conflicts_with_all = ["record", "check"])]
     pub scenes: Vec<PathBuf>,
     /// Number format
-    #[arg(long, value_enum, default_value_t = Format::F32, conflicts_with_all = ["record", "check"])]
+    #[arg(long, value_parser = choice::format(), default_value_t = Format::F32, conflicts_with_all = ["record", "check"])]
     pub format: Format,
     /// Pixels of the pictures [default: those of a .nff, else 320x200; of random spheres 512x512]
     #[arg(long, value_name = "WxH")]
@@ -59,7 +60,7 @@ pub struct TracedArgs {
     /// Names of scenes in the program, or - for a scene file on standard input.
     pub scenes: Vec<String>,
     /// Number formats, each with every scene.
-    #[arg(long, value_enum, value_delimiter = ',')]
+    #[arg(long, value_parser = choice::format(), value_delimiter = ',')]
     pub format: Vec<Format>,
     /// Pixels.
     #[arg(long)]

@@ -2,6 +2,7 @@
 
 use clap::Args;
 
+use super::choice;
 use crate::engine::{Cutoff, Format, MAX_DEPTH, Model};
 use crate::picture::raster::{Aspect, Size};
 use crate::picture::screen::TableKind;
@@ -11,10 +12,10 @@ use crate::request::sampling::Samples;
 #[derive(Args, Clone, Debug)]
 pub struct TracingArgs {
     /// Number format of the tracer
-    #[arg(long, value_enum, default_value_t = Format::F32)]
+    #[arg(long, value_parser = choice::format(), default_value_t = Format::F32)]
     pub format: Format,
     /// Illumination model [default: what the scene was made for: rta, or phong for .nff]
-    #[arg(long, value_enum)]
+    #[arg(long, value_parser = choice::model())]
     pub model: Option<Model>,
     /// Reflections and refractions that a ray is followed through; 0 is what the eye sees directly
     #[arg(long, default_value_t = 5, value_name = "N", value_parser = clap::value_parser!(u32).range(..=i64::from(MAX_DEPTH)))]

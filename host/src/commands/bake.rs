@@ -18,7 +18,7 @@ pub fn run(args: &BakeArgs) -> Result<(), Error> {
     let model = args.model.unwrap_or(scene.description.model.into());
     let fit = Fit { format: args.format, aspect, model: Some(model), asked: args.fit };
     let description = fit.scaled(&scene);
-    let recipe = Recipe { format: args.format.into(), aspect, model: model.into() };
+    let recipe = Recipe { format: args.format, aspect, model };
     let source = match bake::module(&description, &scene.title, &recipe) {
         Ok(source) => source,
         Err(BakeError::Narrow(error)) => return Err(fit.refused(&scene, error.into()).into()),

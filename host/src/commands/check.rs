@@ -1,6 +1,7 @@
 //! `rta check`: the proof that a scene fits a number format, or why it does not.
 
-use rta_core::range::{Bound, Magnitude};
+use rta_core::range::Bound;
+use rta_core::scalar::Magnitude;
 use rta_core::scene::Object;
 
 use crate::args::CheckArgs;

@@ -4,7 +4,7 @@
 
 use core::fmt::{self, Display, Write as _};
 
-use rta_core::illumination::RayKind;
+use rta_core::ray::RayKind;
 use rta_scenes::description::Description;
 
 use crate::args::{Choice, ExplainArgs};
@@ -106,13 +106,13 @@ impl Display for Explanation {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { format, pixel, truth } = self;
         colors(f, *format, pixel, truth)?;
-        let parting = pixel.trail.parting(&truth.trail);
-        let rays = pixel.trail.steps.len();
+        let parting = pixel.tree.parting(&truth.tree);
+        let rays = pixel.tree.steps.len();
         match parting {
             None => writeln!(f, "\nbranches: the same in all rays ({rays})\n")?,
             Some(ray) => writeln!(f, "\nbranches: another one in ray {ray}\n")?,
         }
-        tree(f, *format, &pixel.trail.steps, &truth.trail.steps)?;
+        tree(f, *format, &pixel.tree.steps, &truth.tree.steps)?;
         flips(f, *format, &pixel.log, parting)?;
         operations(f, *format, &pixel.log)
     }

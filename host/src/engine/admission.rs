@@ -2,9 +2,10 @@
 
 use rta_core::range::{Bound, RangeError};
 use rta_scenes::description::Description;
+use rta_scenes::in_format;
 use rta_scenes::narrow::{Narrow, NarrowError, narrow};
 
-use super::format::{Format, in_format};
+use super::Format;
 
 /// The formats in the order in which they are suggested: fixed point first, the finest that fits.
 const SUGGESTED: [Format; 4] = [Format::Q20, Format::Q16, Format::F32, Format::F64];

@@ -155,7 +155,11 @@ pub fn write_png_rows<E: From<io::Error>>(
 
 /// Returns the registers of all pixels one after the other: red, green, blue.
 pub(crate) fn bytes(pixels: &[Rgb<u8>]) -> Vec<u8> {
-    pixels.iter().flat_map(|pixel| [pixel.r, pixel.g, pixel.b]).collect()
+    let mut bytes = vec![0; 3 * pixels.len()];
+    for (registers, pixel) in bytes.as_chunks_mut().0.iter_mut().zip(pixels) {
+        *registers = [pixel.r, pixel.g, pixel.b];
+    }
+    bytes
 }
 
 /// Writes the header of a binary PPM (P6) with 8 bits a gun.

@@ -3,7 +3,7 @@
 use core::fmt;
 use core::str::FromStr;
 
-use rta_core::sampling::Sampling;
+use rta_core::sampling::{Places, Sampling};
 
 pub use crate::engine::cutoff::Cutoff;
 
@@ -54,6 +54,8 @@ impl fmt::Display for Samples {
 
 #[cfg(test)]
 mod tests {
+    use rta_core::sampling::Places;
+
     use super::Samples;
 
     #[test]

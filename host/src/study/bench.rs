@@ -17,9 +17,9 @@ use crate::args::BenchArgs;
 use crate::engine::callgrind::CountError;
 use crate::engine::interrupt;
 use crate::engine::progress::Progress;
-use crate::engine::tally::Rays;
 use crate::picture::output;
 use crate::study::error::StudyError;
+use rta_packets::tally::Rays;
 
 pub mod case;
 pub mod child;

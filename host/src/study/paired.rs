@@ -26,10 +26,10 @@ use core::ops::{Add, Neg, Sub};
 pub mod format;
 pub mod log;
 pub mod ray_tree;
+mod recorder;
 mod scalar;
 pub mod trail;
 mod vector;
-mod witness;
 
 pub use format::{Format, UnitFormat, Value};
 pub use vector::PairedVector;

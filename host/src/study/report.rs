@@ -3,7 +3,7 @@
 //! | step | where |
 //! | --- | --- |
 //! | what is varied | [`setting`] |
-//! | all depths and cut-offs from one walk of the ray tree | [`tap`] |
+//! | all depths and cut-offs from one walk of the ray tree | [`contributions`] |
 //! | a scene in one format, traced on a part of its pixels | [`mod@bench`] |
 //! | differences of pictures, and the Pareto front | [`measure`] |
 //! | the error of a device's colour table | [`display`] |
@@ -25,6 +25,7 @@ use crate::request::scene_file::SceneFile;
 use crate::study::error::StudyError;
 
 pub mod bench;
+pub mod contributions;
 pub mod diagram;
 pub mod display;
 pub mod instructions;
@@ -33,7 +34,6 @@ pub mod page;
 pub mod setting;
 pub mod study;
 pub mod table;
-pub mod tap;
 
 use study::{STEPS, Setup, Study, study};
 

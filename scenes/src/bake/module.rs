@@ -5,12 +5,13 @@ use core::fmt::{self, Write};
 use rta_core::color::Rgb;
 use rta_core::material::{Finish, Glass, Material};
 use rta_core::needs::Used;
-use rta_core::range::Limits;
+use rta_core::scene::Limits;
 use rta_core::shape::Cone;
 use rta_core::vector::{UnitVec3, Vec3, Vector};
 
 use super::Recipe;
 use super::literal::Literal;
+use crate::accelerator::bvh::Built;
 use crate::narrow::{Narrow, Narrowed};
 
 /// An item may not need all its names, and nobody reads its numbers.
@@ -20,7 +21,7 @@ const ALLOW: &str = "#[allow(dead_code, unused_imports, clippy::unreadable_liter
 pub(super) fn write<S: Literal>(
     out: &mut impl Write,
     name: &str,
-    scene: &Narrowed<S>,
+    (scene, hierarchy): (&Narrowed<S>, &Built<S>),
     limits: Limits<S>,
     used: Used,
     recipe: &Recipe,
@@ -36,16 +37,24 @@ pub(super) fn write<S: Literal>(
     writeln!(out, "/// The number format: {format}.\npub type Number = {};\n", S::PATH)?;
     write_needs(out, used)?;
     writeln!(out, "\n/// The scene.\n{ALLOW}")?;
-    writeln!(out, "pub const SCENE: ::rta_core::range::Admitted<'static, Number> = {{")?;
+    let accelerator = match hierarchy.bvh() {
+        Some(_) => "Bvh<'static, Number>",
+        None => "Lists",
+    };
+    writeln!(
+        out,
+        "pub const SCENE: ::rta_core::range::Admitted<'static, Number, ::rta_core::accelerator::{accelerator}> = {{"
+    )?;
     write_names(out, S::CONSTRUCTORS)?;
     write_lists(out, scene)?;
+    if hierarchy.bvh().is_some() {
+        write_hierarchy(out, hierarchy)?;
+    }
     writeln!(
         out,
         "    ::rta_core::range::Admitted::baked(\n        ::rta_core::scene::Scene {{\n            \
          cylinders: &CYLINDERS,\n            ellipsoids: &ELLIPSOIDS,\n            spheres: &SPHERES,\n            \
-         hierarchy: &HIERARCHY,\n            cones: &CONES,\n            triangles: &TRIANGLES,\n            \
-         boxes: ::rta_core::bvh::Bvh {{ nodes: &BOXES, items: &ITEMS, size: {} }},\n            lanes: ::rta_core::lanes::Lanes::NONE,\n            lamps: &LAMPS,",
-        length(scene.size)
+         cones: &CONES,\n            triangles: &TRIANGLES,\n            lamps: &LAMPS,"
     )?;
     match &scene.floor {
         None => writeln!(out, "            floor: None,")?,
@@ -67,9 +76,13 @@ pub(super) fn write<S: Literal>(
     )?;
     writeln!(
         out,
-        "        ::rta_core::range::Limits {{ reach: {}, lid: {} }},\n    )\n}};",
-        length(limits.reach),
-        length(limits.lid)
+        "        ::rta_core::scene::Limits {{ floor_end: {}, cylinder_end: {} }},\n        {},\n    )\n}};",
+        length(limits.floor_end),
+        length(limits.cylinder_end),
+        match hierarchy.bvh() {
+            Some(_) => "::rta_core::accelerator::Bvh { nodes: &NODES, order: &ORDER }",
+            None => "::rta_core::accelerator::Lists",
+        }
     )?;
     let camera = &scene.camera;
     writeln!(out, "\n/// The eye.\n{ALLOW}\npub const CAMERA: ::rta_core::camera::Camera<Number> = {{")?;
@@ -97,7 +110,6 @@ fn write_needs(out: &mut impl Write, used: Used) -> fmt::Result {
 fn write_names(out: &mut impl Write, constructors: &str) -> fmt::Result {
     out.write_str(
         "    use ::rta_core::Scalar;
-    use ::rta_core::bvh::{Child, Item};
     use ::rta_core::color::Rgb;
     use ::rta_core::material::{Finish, Glass, Material};
     type Unit = <Number as Scalar>::Unit;
@@ -153,10 +165,6 @@ fn write_lists<S: Literal>(out: &mut impl Write, scene: &Narrowed<S>) -> fmt::Re
             material(&s.material)
         )
     });
-    let nodes = scene.hierarchy.iter().map(|n| {
-        let (center, radius) = (place::<S>(n.center), length(n.radius));
-        format!("center: {center}, radius: {radius}, first: {}, end: {}, skip: {}", n.first, n.end, n.skip)
-    });
     let cones = scene.cones.iter().map(|c| {
         let Cone { half_height, waist, cosine, sine, radii: [base, apex], capped, inside_only, .. } = *c;
         let [half_height, waist, cosine, sine] = [half_height, waist, cosine, sine].map(unit::<S>);
@@ -189,12 +197,6 @@ fn write_lists<S: Literal>(out: &mut impl Write, scene: &Narrowed<S>) -> fmt::Re
             material(&t.material)
         )
     });
-    let boxes = scene.boxes.iter().map(|node| {
-        let row = |row: [S; 4]| format!("[{}]", row.map(length).join(", "));
-        let planes = node.planes.map(|pair| format!("[{}]", pair.map(row).join(", "))).join(", ");
-        let children = node.children.map(|child| format!("{child:?}")).join(", ");
-        format!("planes: [{planes}], children: [{children}]")
-    });
     let lamps = scene.lamps.iter().map(|l| {
         format!(
             "position: {}, radius: {}, inverse_radius: {}, power: {}, tint: {}",
@@ -208,16 +210,22 @@ fn write_lists<S: Literal>(out: &mut impl Write, scene: &Narrowed<S>) -> fmt::Re
     write_list(out, "CYLINDERS", "shape::Cylinder", &cylinders.collect::<Vec<_>>())?;
     write_list(out, "ELLIPSOIDS", "shape::Ellipsoid", &ellipsoids.collect::<Vec<_>>())?;
     write_list(out, "SPHERES", "shape::Sphere", &spheres.collect::<Vec<_>>())?;
-    write_list(out, "HIERARCHY", "hierarchy::Node", &nodes.collect::<Vec<_>>())?;
     write_list(out, "CONES", "shape::Cone", &cones.collect::<Vec<_>>())?;
     write_list(out, "TRIANGLES", "shape::Triangle", &triangles.collect::<Vec<_>>())?;
-    write_list(out, "BOXES", "bvh::Boxes", &boxes.collect::<Vec<_>>())?;
-    writeln!(out, "    static ITEMS: [Item; {}] = [", scene.items.len())?;
-    for item in &scene.items {
-        writeln!(out, "        Item::{item:?},")?;
-    }
-    writeln!(out, "    ];")?;
     write_list(out, "LAMPS", "light::Lamp", &lamps.collect::<Vec<_>>())
+}
+
+fn write_hierarchy<S: Literal>(out: &mut impl Write, hierarchy: &Built<S>) -> fmt::Result {
+    let nodes = hierarchy.nodes.iter().map(|n| {
+        let (center, radius) = (place::<S>(n.center), length(n.radius));
+        format!("center: {center}, radius: {radius}, first: {}, end: {}, skip: {}", n.first, n.end, n.skip)
+    });
+    write_list(out, "NODES", "accelerator::Node", &nodes.collect::<Vec<_>>())?;
+    writeln!(out, "    static ORDER: [::rta_core::scene::Object; {}] = [", hierarchy.order.len())?;
+    for object in &hierarchy.order {
+        writeln!(out, "        ::rta_core::scene::Object::{object:?},")?;
+    }
+    writeln!(out, "    ];")
 }
 
 fn length<S: Literal>(length: S) -> String {

@@ -40,7 +40,6 @@ fn a_scene_needs_what_is_in_it_and_no_more() {
                 "CONES",
                 "TRIANGLES",
                 "NORMALS",
-                "BOXES",
                 "CYLINDERS",
                 "GLASS",
                 "FINISH",
@@ -48,28 +47,13 @@ fn a_scene_needs_what_is_in_it_and_no_more() {
                 "TRANSPARENT_SHADOWS",
             ][..],
         ),
-        (
-            shipped::HALL_22,
-            &[
-                "HIERARCHY",
-                "CONES",
-                "TRIANGLES",
-                "NORMALS",
-                "BOXES",
-                "GLASS",
-                "FINISH",
-                "TRANSPARENT_SHADOWS",
-            ],
-        ),
-        (
-            shipped::GLASS_2,
-            &["HIERARCHY", "ELLIPSOIDS", "CONES", "TRIANGLES", "NORMALS", "BOXES", "CYLINDERS", "FINISH"],
-        ),
+        (shipped::HALL_22, &["CONES", "TRIANGLES", "NORMALS", "GLASS", "FINISH", "TRANSPARENT_SHADOWS"]),
+        (shipped::GLASS_2, &["ELLIPSOIDS", "CONES", "TRIANGLES", "NORMALS", "CYLINDERS", "FINISH"]),
     ] {
         for format in [Format::F32, Format::F64, Format::Q16, Format::Q20] {
             let source = source(&read(text), &Recipe::new(format));
             assert_eq!(needs(&source, false), without);
-            assert_eq!(needs(&source, true).len() + without.len(), 20);
+            assert_eq!(needs(&source, true).len() + without.len(), 18);
         }
     }
 }
@@ -80,17 +64,7 @@ fn the_model_decides_what_is_needed() {
     let mut scene = read(shipped::GLASS_2);
     assert_eq!(
         needs(&source(&scene, &recipe), false),
-        [
-            "HIERARCHY",
-            "ELLIPSOIDS",
-            "CONES",
-            "TRIANGLES",
-            "NORMALS",
-            "BOXES",
-            "CYLINDERS",
-            "FINISH",
-            "ATTENUATION"
-        ]
+        ["ELLIPSOIDS", "CONES", "TRIANGLES", "NORMALS", "CYLINDERS", "FINISH", "ATTENUATION"]
     );
     // A shiny sphere alone: it reflects in Whitted's model only.
     scene.spheres.remove(0);

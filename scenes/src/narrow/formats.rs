@@ -49,7 +49,13 @@ macro_rules! fixed_point {
             fn power(value: f64) -> <Self as Scalar>::Power {
                 power::<Self>(value)
             }
-            fn widen(light: Radiance) -> f32 {
+            fn to_f64(self) -> f64 {
+                self.to_num()
+            }
+            fn unit_to_f64(unit: I2F30) -> f64 {
+                unit.to_num()
+            }
+            fn light_to_f64(light: Radiance) -> f64 {
                 light.0.to_num()
             }
         }
@@ -84,8 +90,14 @@ macro_rules! float {
             fn power(value: f64) -> Self {
                 value as $f
             }
-            fn widen(light: Self) -> f32 {
-                light as f32
+            fn to_f64(self) -> f64 {
+                self.into()
+            }
+            fn unit_to_f64(unit: Self) -> f64 {
+                unit.into()
+            }
+            fn light_to_f64(light: Self) -> f64 {
+                light.into()
             }
         }
     };

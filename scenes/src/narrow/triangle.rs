@@ -8,15 +8,16 @@ use crate::description;
 use crate::space::{cross, difference, dot, length, unit};
 
 /// A direction in the format.
-pub(super) fn direction<S: Narrow>(v: [f64; 3]) -> UnitVec3<S> {
+pub fn direction<S: Narrow>(v: [f64; 3]) -> UnitVec3<S> {
     let [x, y, z] = v.map(S::unit);
     Vector::new(x, y, z)
 }
 
-pub(super) fn narrow<S: Narrow>(
-    index: usize,
-    of: &description::Triangle,
-) -> Result<Triangle<S>, NarrowError> {
+/// Returns triangle number `index` of a description in the format `S`.
+///
+/// # Errors
+/// What of it the format cannot hold.
+pub fn narrow<S: Narrow>(index: usize, of: &description::Triangle) -> Result<Triangle<S>, NarrowError> {
     let check = Checker::<S>::new("triangle", index, of.line);
     let [a, b, c] = of.vertices;
     let corner = check.place(a, 0.0)?;

@@ -1,14 +1,19 @@
 //! Baked scenes: the modules that `build.rs` has made of scene files hold the scenes that are read and narrowed here,
 //! and are drawn as the engine draws them.
 
+use core::fmt::Debug;
+
 use rta::engine::{Engine, Format, Model, Settings};
+use rta_core::accelerator::Accelerator;
 use rta_core::camera::Camera;
 use rta_core::color::Rgb;
 use rta_core::illumination::{Illumination, Phong, Rta, Whitted};
-use rta_core::needs::{self, Needs, Used};
+use rta_core::needs::{Needs, Used};
 use rta_core::range::Admitted;
 use rta_core::raster::{Pixels, Raster};
 use rta_core::trace::Tracer;
+use rta_core::used::missing;
+use rta_scenes::accelerator::bvh;
 use rta_scenes::bake;
 use rta_scenes::description::Description;
 use rta_scenes::narrow::{Narrow, narrow};
@@ -85,19 +90,25 @@ fn read(file: &str) -> Description {
 
 /// Asserts that a baked scene is the one that is read and narrowed here, and that its set of needs is the smallest.
 fn is_scene<S: Narrow, N: Needs>(
-    scene: &Admitted<'_, S>,
+    scene: &Admitted<'_, S, impl Accelerator<S> + Debug>,
     camera: &Camera<S>,
     description: &Description,
     model: Model,
 ) {
-    let narrowed = narrow::<S>(description, SMALL.aspect).expect("it was baked").without_lanes(description);
-    let admitted = narrowed.scene().admit(&narrowed.camera).expect("it was baked");
+    let narrowed = narrow::<S>(description, SMALL.aspect).expect("it was baked");
     // The numbers print exactly.
-    assert_eq!(format!("{scene:?}"), format!("{admitted:?}"));
+    let bvh = bvh::build::<S>(description);
+    let printed = match bvh.bvh() {
+        Some(bvh) => {
+            format!("{:?}", narrowed.scene().admit_with(&narrowed.camera, bvh).expect("it was baked"))
+        }
+        None => format!("{:?}", narrowed.scene().admit(&narrowed.camera).expect("it was baked")),
+    };
+    assert_eq!(format!("{scene:?}"), printed);
     assert_eq!(format!("{camera:?}"), format!("{:?}", narrowed.camera));
-    assert_eq!(Used::of::<N>(), Used::by(scene, model != Model::Rta));
+    assert_eq!(Used::of::<N>(), Used::by(&scene.scene, model != Model::Rta));
     if model == Model::Rta {
-        assert_eq!(needs::missing::<N, S>(scene), None);
+        assert_eq!(missing::<N, S>(&scene.scene), None);
     }
 }
 
@@ -109,16 +120,18 @@ fn bits(light: Rgb<f32>) -> [u32; 3] {
 }
 
 fn draw<S: Narrow, M: Illumination<S>, N: Needs>(
-    scene: Admitted<'_, S>,
+    scene: Admitted<'_, S, impl Accelerator<S>>,
     camera: &Camera<S>,
     model: M,
 ) -> Picture {
     let raster = Raster::new(SMALL.width, SMALL.height).expect("a raster");
-    let tracer: Tracer<_, _, N, STACK> =
+    let tracer: Tracer<_, _, N, STACK, _> =
         Tracer::new(scene, model, SMALL.depth).expect("the stack is deep enough");
     let light: Vec<_> = Pixels::rows(&tracer, camera, raster, 0, SMALL.height).collect();
-    // Fixed point below 256 is exact in f32.
-    let linear = light.iter().map(|light| bits(light.map(S::widen))).collect();
+    // Fixed point below 256 is exact in f32, and f64 is rounded as by the engine.
+    #[allow(clippy::cast_possible_truncation, reason = "to the nearest")]
+    let single = |light| S::light_to_f64(light) as f32;
+    let linear = light.iter().map(|light| bits(light.map(single))).collect();
     (linear, light.iter().map(|light| light.levels(63)).collect())
 }
 

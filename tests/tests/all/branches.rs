@@ -102,7 +102,7 @@ fn branches_flip_rarely_and_what_does_not_flip_is_within_a_level() {
             assert_eq!(truth.len(), other.len(), "pictures of one size");
             let (mut flipped, mut shaky, mut worst) = (0u32, 0u32, [0; GUNS.len()]);
             for (i, (a, b)) in truth.iter().zip(&other).enumerate() {
-                if a.trail.parting(&b.trail).is_some() {
+                if a.tree.parting(&b.tree).is_some() {
                     flipped += 1;
                     continue;
                 }

@@ -15,7 +15,8 @@ use rta_tests::{oracle, random_scenes};
 const SHIPPED: [&str; 3] = ["juggler", "hall-22", "glass-2"];
 
 fn q16(scene: &Description, depth: u32) -> Vec<Rgb<i32>> {
-    Exact::new(scene, 160, 100).picture::<_, Everything>(Rta, depth).expect("it is drawn")
+    let exact = Exact::new(scene, 160, 100);
+    exact.searched::<_, Everything>(exact.packets(), Rta, depth).expect("it is drawn")
 }
 
 /// Returns the scene with its objects and lamps in another order.

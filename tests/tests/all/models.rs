@@ -3,10 +3,11 @@
 use core::f64::consts::PI;
 
 use rta_core::color::Rgb;
-use rta_core::illumination::{Illumination, Rta, Secondary, Surface};
+use rta_core::illumination::{Illumination, Rta, Secondary};
 use rta_core::light::Incident;
 use rta_core::material::Material;
 use rta_core::needs::{Everything, Needs};
+use rta_core::surface::Surface;
 use rta_core::trace::Tracer;
 use rta_scenes::description::{self, Description};
 use rta_scenes::narrow::narrow;

@@ -112,12 +112,12 @@ fn glints_and_weights_saturate_and_never_wrap() {
 
 #[test]
 fn tiles_far_beyond_the_format_are_those_of_exact_arithmetic() {
-    fn check<S: Narrow + Into<f64>>(dice: &mut Rng) {
+    fn check<S: Narrow>(dice: &mut Rng) {
         let origin = S::length(dice.f64() * 40.0 - 20.0);
         let height = S::length(spread(dice, 0.1, 50.0));
         let (fall, slope) = (S::unit(spread(dice, 1e-6, 0.1)), S::unit(dice.f64() * 2.0 - 1.0));
         let exact = |origin: f64, slope: f64, height: f64, fall: f64| (origin + slope * height / fall) / 3.0;
-        let place = exact(origin.into(), unit_to_f64::<S>(slope), height.into(), unit_to_f64::<S>(fall));
+        let place = exact(origin.to_f64(), S::unit_to_f64(slope), height.to_f64(), S::unit_to_f64(fall));
         // Rounding is relative to the way: 2^-29 of it and half an LSB.
         let margin = place.abs() * 4e-9 + 1e-4;
         if (place - place.round()).abs() > margin {
@@ -130,11 +130,4 @@ fn tiles_far_beyond_the_format_are_those_of_exact_arithmetic() {
         check::<Q16>(&mut dice);
         check::<Q20>(&mut dice);
     }
-}
-
-/// Returns a unit's value, from its size and its sign.
-fn unit_to_f64<S: Scalar>(unit: S::Unit) -> f64 {
-    let (mantissa, exponent) = unit.size().parts();
-    let size = f64::from(mantissa) * 2f64.powi(exponent.max(-1000));
-    if unit < S::Unit::ZERO { -size } else { size }
 }

@@ -1,7 +1,7 @@
 //! The study of error against run time: its measures, its short cuts, and a study of a small raster.
 #![allow(clippy::indexing_slicing, reason = "a test may panic")]
 
-use core::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+use core::sync::atomic::AtomicBool;
 
 use rta::engine::Format;
 use rta::raster::Size;
@@ -13,14 +13,14 @@ use rta::report::{Source, diagram, page, studies, table};
 use rta::sampling::Cutoff;
 use rta::scene::Scene;
 use rta_core::color::Rgb;
-use rta_core::illumination::{Illumination, RayKind, Rta, Secondary, Surface};
-use rta_core::light::Incident;
-use rta_core::needs::{Everything, Needs};
-use rta_core::raster::Raster;
-use rta_core::sampling::Sampling;
-use rta_core::scalar::{Scalar, Unit};
+use rta_core::illumination::Rta;
+use rta_core::needs::Everything;
+use rta_core::raster::{Pixels, Raster};
+use rta_core::sampling::{Places, Sampling};
+use rta_core::scalar::Unit;
 use rta_core::trace::Tracer;
 use rta_core::{Q16, Q20};
+use rta_packets::tally::{Rays, Tally};
 use rta_scenes::description::Description;
 use rta_scenes::narrow::{Narrow, narrow};
 use rta_scenes::{dat, shipped};
@@ -79,48 +79,27 @@ fn medians() {
     );
 }
 
-/// A model that counts the rays of each kind.
-#[derive(Clone, Copy)]
-struct Counting<'a>(&'a [AtomicU64; 4]);
-
-impl<S: Scalar> Illumination<S> for Counting<'_> {
-    type Weight = <Rta as Illumination<S>>::Weight;
-    fn ambient<N: Needs>(&self, surface: &Surface<S>, ambient: Rgb<S::Light>) -> Rgb<S::Light> {
-        Rta.ambient::<N>(surface, ambient)
-    }
-    fn is_lit<N: Needs>(&self, surface: &Surface<S>) -> bool {
-        Illumination::<S>::is_lit::<N>(&Rta, surface)
-    }
-    fn direct<N: Needs>(&self, surface: &Surface<S>, incident: &Incident<S>) -> Rgb<S::Light> {
-        Rta.direct::<N>(surface, incident)
-    }
-    fn secondary<N: Needs>(&self, surface: &Surface<S>) -> Secondary<Self::Weight> {
-        Rta.secondary::<N>(surface)
-    }
-    fn note(&self, kind: RayKind) {
-        let kinds = [RayKind::Primary, RayKind::Reflected, RayKind::Transmitted, RayKind::Shadow];
-        let at = kinds.iter().position(|other| *other == kind).expect("one of four");
-        self.0[at].fetch_add(1, Ordering::Relaxed);
-    }
-}
-
 /// Returns the picture of one setting and the number of rays of each kind, traced with this setting alone.
 fn traced<S: Narrow>(
     scene: &Description,
     limit: Limit,
     sampling: Sampling,
     raster: Raster,
-) -> (Vec<Rgb<f32>>, [u64; 4]) {
+) -> (Vec<Rgb<f32>>, Rays) {
     let narrowed = narrow::<S>(scene, ASPECT).expect("it fits");
-    let rays = [const { AtomicU64::new(0) }; 4];
     let admitted = narrowed.scene().admit(&narrowed.camera).expect("it is admitted");
-    let tracer =
-        Tracer::<S, _, Everything, 32>::new(admitted, Counting(&rays), limit.depth).expect("not too deep");
+    let tracer = Tracer::<S, _, Everything, 32>::new(admitted, Rta, limit.depth).expect("not too deep");
     let tracer = tracer.with_cutoff(S::Unit::ratio(limit.cutoff.numerator(), limit.cutoff.denominator()));
-    let pixel = |at| sampling.pixel(&tracer, &narrowed.camera, raster, at).map(S::widen);
-    let picture =
-        (0..raster.height()).flat_map(|y| (0..raster.width()).map(move |x| (x, y))).map(pixel).collect();
-    (picture, rays.each_ref().map(|count| count.load(Ordering::Relaxed)))
+    let mut rays = Tally::default();
+    let mut pixels = Pixels::sampled(&tracer, &narrowed.camera, raster, sampling, 0, raster.height());
+    #[allow(clippy::cast_possible_truncation, reason = "to the nearest")]
+    let single = |light| S::light_to_f64(light) as f32;
+    let mut picture = Vec::new();
+    while let Some(light) = pixels.next_observed(&mut rays) {
+        // What a display cannot show of a single sample is cut off, as of several.
+        picture.push(light.map(single).map(|light| light.min(1.0)));
+    }
+    (picture, rays.0)
 }
 
 fn one_walk_is_all<S: Narrow>(text: &str, format: Format) {

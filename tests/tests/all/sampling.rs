@@ -6,7 +6,7 @@ use rta::engine::{Engine, Format, Settings};
 use rta::sampling::Cutoff;
 use rta_core::color::Rgb;
 use rta_core::raster::Raster;
-use rta_core::sampling::Sampling;
+use rta_core::sampling::{Places, Sampling};
 use rta_core::scalar::Light;
 use rta_core::{Q16, Q20};
 use rta_scenes::description::Description;
@@ -25,7 +25,9 @@ fn places<S: Narrow>(
     y: u32,
     read: fn(S::Unit) -> f64,
 ) -> Vec<(f64, f64)> {
-    sampling.places::<S::Unit>(raster, x, y).map(|(right, up)| (read(right), read(up))).collect()
+    let row = Places::row::<S::Unit>(&sampling, raster, y);
+    let place = |sample| sampling.place(raster, row, x, sample);
+    (0..sampling.samples()).map(place).map(|(right, up)| (read(right), read(up))).collect()
 }
 
 #[test]
@@ -52,9 +54,9 @@ fn the_mean_of_regular_samples_of_a_ramp_is_its_value_in_the_middle() {
 
 fn mean<S: Narrow>(sampling: Sampling, lights: &[f64]) -> f64 {
     let lights = lights.iter().map(|light| Rgb::new(S::light(*light), S::Light::ZERO, S::Light::WHITE));
-    let mean = sampling.mean(lights);
+    let mean = sampling.mean(lights.fold(Rgb::BLACK, |sum, light| sampling.add(sum, light)));
     assert!(mean.g == S::Light::ZERO && mean.b == S::Light::WHITE, "black and white stay what they are");
-    f64::from(S::widen(mean.r))
+    S::light_to_f64(mean.r)
 }
 
 #[test]

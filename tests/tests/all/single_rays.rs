@@ -3,7 +3,7 @@
 //!
 //! Rays go from a place at a distance to a place on a disc that is slightly wider than the silhouette, so grazing ones
 //! are among them. Two distances are compared with the exact root: that of the search, `intersect`, and that of the
-//! second look, `spot`, from which the tracer goes on. The limits are those of `spot`; `intersect` decides hit or miss.
+//! second look, `point`, from which the tracer goes on. The limits are those of `point`; `intersect` decides hit or miss.
 
 #![allow(clippy::indexing_slicing, reason = "a test may panic")]
 
@@ -14,7 +14,7 @@ use rta_core::material::Material;
 use rta_core::needs::Everything;
 use rta_core::ray::Ray;
 use rta_core::scalar::Unit;
-use rta_core::shape::{Cylinder, Ellipsoid, Sphere};
+use rta_core::shape::{Cylinder, Ellipsoid, Primitive, Sphere};
 use rta_core::vector::{UnitVec3, Vec3, Vector};
 use rta_core::{Q16, Q20};
 
@@ -136,8 +136,7 @@ fn shoot<S: Format>(target: Target, distance: f64) -> Row {
         let direction = way.map(|c| S::unit(c / dot(way, way).sqrt()));
         let (d, (o, origin), (c, center)) =
             (direction.map(Value::value), place::<S>(origin), place::<S>(center));
-        let ray: Ray<S> =
-            Ray::new::<Everything>(o, UnitVec3::<S>::new(direction[0], direction[1], direction[2]));
+        let ray: Ray<S> = Ray::new(o, UnitVec3::<S>::new(direction[0], direction[1], direction[2]));
         let (found, exact) = meet(target, &ray, c, minus(origin, center), d);
         match (found, exact) {
             (Some((near, second)), Some(exact)) => {
@@ -171,21 +170,24 @@ fn meet<S: Format>(
         Target::Sphere(radius) => {
             let radius = S::length(radius);
             let sphere = Sphere::new(center, radius, gray, Material::Opaque);
-            let found = sphere.intersect(ray, S::FAR).map(|t| (t, sphere.spot(ray, t).distance));
+            let found =
+                sphere.intersect(ray, S::FAR).map(|t| (t, sphere.point::<Everything>(ray, t).distance));
             let r = [radius.value(); 3];
             (found, root(over(origin, r), over(direction, r)))
         }
         Target::Ellipsoid(radii) => {
             let (radii, r) = place::<S>(radii);
             let ellipsoid = Ellipsoid::new(center, radii, gray, Material::Opaque);
-            let found = ellipsoid.intersect(ray, S::FAR).map(|t| (t, ellipsoid.spot(ray, t).distance));
+            let found =
+                ellipsoid.intersect(ray, S::FAR).map(|t| (t, ellipsoid.point::<Everything>(ray, t).distance));
             (found, root(over(origin, r), over(direction, r)))
         }
         Target::Cylinder(radius) => {
             let radius = S::length(radius);
             let cylinder = Cylinder::new(center, radius, gray, Material::Opaque);
-            let lid = S::length(600.0);
-            let found = cylinder.intersect(ray, S::FAR, lid).map(|t| (t, cylinder.spot(ray, t).distance));
+            let found = cylinder
+                .intersect(&ray.with_plan(S::length(600.0)), S::FAR)
+                .map(|t| (t, cylinder.point::<Everything>(ray, t).distance));
             let flat = |[x, y, _]: [f64; 3]| [x / radius.value(), y / radius.value(), 0.0];
             (found, root(flat(origin), flat(direction)))
         }

@@ -6,7 +6,7 @@
 use fastrand::Rng;
 use rta_core::needs::Everything;
 use rta_core::ray::Ray;
-use rta_core::scene::{Object, Scene};
+use rta_core::shape::SurfacePoint;
 use rta_core::vector::{UnitVector, Vector};
 use rta_scenes::description::{Camera, Cone, Description, Surface, Triangle};
 use rta_scenes::narrow::{Narrowed, narrow};
@@ -56,18 +56,15 @@ struct Shot {
 
 fn shoot<S: Measure>(scene: &Narrowed<S>, from: Triple, towards: Triple) -> Shot {
     let (d, _) = direction::<S>(towards).normalize().expect("it has a length");
-    let ray = Ray::new::<Everything>(place::<S>(from), d);
-    let scene: Scene<S> = scene.scene();
-    let read = |v: rta_core::vector::Vec3<S>| [v.x(), v.y(), v.z()].map(S::read_length);
-    let hit = scene.nearest::<Everything>(&ray, S::FAR).map(|hit| {
-        let spot = match hit.object {
-            Object::Cone(i) => scene.cones[i].spot(&ray, hit.distance),
-            Object::Triangle(i) => scene.triangles[i].spot::<Everything>(&ray, hit.distance),
-            _ => panic!("there is nothing else"),
-        };
-        let (search, spot_distance) = (hit.distance.read_length(), spot.distance.read_length());
-        assert!((search - spot_distance).abs() < 300.0 * S::LENGTH, "{search} and {spot_distance}");
-        (search, read(spot.point), read_direction::<S>(spot.normal))
+    let ray = Ray::new(place::<S>(from), d);
+    let admitted = scene.scene().admit(&scene.camera).expect("it fits");
+    let read = |v: rta_core::vector::Vec3<S>| [v.x(), v.y(), v.z()].map(S::to_f64);
+    let hit = admitted.closest::<Everything>(&ray).map(|hit| {
+        let found = admitted.scene.point::<Everything>(hit.object, &ray, hit.distance);
+        let (SurfacePoint { distance, point, normal }, _) = found.expect("it is of an object");
+        let (search, distance) = (hit.distance.to_f64(), distance.to_f64());
+        assert!((search - distance).abs() < 300.0 * S::LENGTH, "{search} and {distance}");
+        (search, read(point), read_direction::<S>(normal))
     });
     Shot { origin: read(ray.origin), direction: unit(read_direction::<S>(d)), hit }
 }

@@ -3,18 +3,18 @@
 //! The pictures are traced as `rta render --device none --fit --size 46x35 --aspect 4:3` traces them, and hashed bit
 //! for bit in their own number format, before any rounding to levels.
 
-use rta::engine::{Format, MAX_DEPTH, Model};
-use rta_core::color::Rgb;
-use rta_core::illumination::{Illumination, Phong, Rta, Whitted};
-use rta_core::needs::Everything;
-use rta_core::raster::{Pixels, Raster};
-use rta_core::sampling::{Sampling, Supersampled};
+use std::borrow::Cow;
+
+use rta::engine::admission::admits;
+use rta::engine::{Format, Model};
+use rta_core::raster::Raster;
+use rta_core::sampling::Sampling;
 use rta_core::scalar::Radiance;
-use rta_core::trace::Tracer;
 use rta_core::{Q16, Q20};
+use rta_packets::picture::{self, Setup};
 use rta_scenes::description::{self, Description};
 use rta_scenes::fit::fit;
-use rta_scenes::narrow::{Narrow, Narrowed, narrow};
+use rta_scenes::in_format;
 
 use rta_tests::exact::fnv1a;
 
@@ -36,16 +36,12 @@ pub(super) const SETTINGS: [(u32, u8); 4] = [(0, 1), (0, 4), (5, 1), (5, 4)];
 /// Draws a scene with each of [`SETTINGS`] and returns the hashes of the pictures in that order; `None` where the scene
 /// cannot be drawn in this format, not even scaled.
 pub(super) fn hashes(scene: &Description, format: Format, model: Model) -> [Option<u64>; SETTINGS.len()] {
-    match format {
-        Format::F32 => in_format::<f32>(scene, model),
-        Format::F64 => in_format::<f64>(scene, model),
-        Format::Q16 => in_format::<Q16>(scene, model),
-        Format::Q20 => in_format::<Q20>(scene, model),
-    }
+    let Some(scene) = fitted(scene, format, model) else { return [None; SETTINGS.len()] };
+    SETTINGS.map(|setting| in_format!(format, S => drawn::<S>(&scene, model, setting)))
 }
 
 /// A number format whose radiance has bits.
-trait Bits: Narrow {
+trait Bits: picture::Format {
     /// Returns all bits of a radiance.
     fn bits(light: Self::Light) -> u64;
 }
@@ -74,55 +70,30 @@ impl Bits for Q20 {
     }
 }
 
-fn in_format<S: Bits>(scene: &Description, model: Model) -> [Option<u64>; SETTINGS.len()] {
-    let Some(scene) = fitted::<S>(scene, model) else { return [None; SETTINGS.len()] };
-    SETTINGS.map(|setting| match model {
-        Model::Rta => drawn(&scene, Rta, setting),
-        Model::Whitted => drawn(&scene, Whitted::default(), setting),
-        Model::Phong => drawn(&scene, Phong::default(), setting),
-    })
-}
-
-/// Returns the scene in a number format, scaled as `--fit` scales it if it does not fit; nothing if no scale helps.
-fn fitted<S: Narrow>(scene: &Description, model: Model) -> Option<Narrowed<S>> {
-    let admitted = |scene: &Description| {
-        let narrowed = narrow::<S>(scene, ASPECT).ok()?;
-        narrowed.scene().admit(&narrowed.camera).is_ok().then_some(narrowed)
-    };
-    if let Some(narrowed) = admitted(scene) {
-        return Some(narrowed);
+/// Returns the scene, scaled as `--fit` scales it if it does not fit the number format; nothing if no scale helps.
+fn fitted(scene: &Description, format: Format, model: Model) -> Option<Cow<'_, Description>> {
+    let fits = |scene: &Description| admits(scene, format, ASPECT);
+    if fits(scene) {
+        return Some(Cow::Borrowed(scene));
     }
     // The model of the picture decides whether lamps are attenuated, and so scaled.
-    let model = match model {
-        Model::Rta => description::Model::Rta,
-        Model::Whitted | Model::Phong => description::Model::Phong,
-    };
+    let model = if model.is_attenuated() { description::Model::Rta } else { description::Model::Phong };
     let scene = Description { model, ..scene.clone() };
-    let factor = fit(&scene, |scene| admitted(scene).is_some()).ok()??;
-    admitted(&scene.scaled(factor).ok()?)
+    let factor = fit(&scene, fits).ok()??;
+    scene.scaled(factor).ok().map(Cow::Owned)
 }
 
-/// Returns the hash of a picture: of red, green and blue of each pixel, eight bytes each, little endian.
-fn drawn<S: Bits, M: Illumination<S>>(
-    scene: &Narrowed<S>,
-    model: M,
-    (depth, samples): (u32, u8),
-) -> Option<u64> {
-    let admitted = scene.scene().admit(&scene.camera).ok()?;
-    let tracer: Tracer<_, M, Everything, { MAX_DEPTH as usize }> =
-        Tracer::new(admitted, model, depth).ok()?;
-    let (raster, camera) = (Raster::new(SIZE.0, SIZE.1).ok()?, &scene.camera);
+/// Returns the hash of a picture as `rta render` draws it: of red, green and blue of each pixel, eight bytes each, little
+/// endian.
+fn drawn<S: Bits>(scene: &Description, model: Model, (depth, samples): (u32, u8)) -> Option<u64> {
+    let raster = Raster::new(SIZE.0, SIZE.1).ok()?;
+    let sampling = Sampling::grid(samples.isqrt())?;
+    let setup = Setup { raster, aspect: ASPECT, depth, cutoff: (0, 1), sampling };
+    let picture = S::picture(scene, model, &setup).ok()?;
     let mut bytes = Vec::new();
-    let mut add = |light: Rgb<S::Light>| {
-        let registers = [light.r, light.g, light.b].map(S::bits);
-        bytes.extend(registers.into_iter().flat_map(u64::to_le_bytes));
-    };
-    // A loop over all pixels, as in the program: in f32 it traces four of them side by side.
-    if samples == 1 {
-        Pixels::rows(&tracer, camera, raster, 0, raster.height()).for_each(add);
-    } else {
-        let sampling = Sampling::grid(samples.isqrt())?;
-        Supersampled::rows(&tracer, camera, raster, sampling, 0, raster.height()).for_each(&mut add);
-    }
+    picture.rows(0, raster.height(), &mut |row| {
+        let registers = row.iter().flat_map(|light| [light.r, light.g, light.b]).map(S::bits);
+        bytes.extend(registers.flat_map(u64::to_le_bytes));
+    });
     Some(fnv1a(bytes))
 }

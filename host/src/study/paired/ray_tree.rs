@@ -1,6 +1,6 @@
 //! The ray tree of a pixel: its rays in the order in which they are traced, and what became of each of them.
 
-use rta_core::illumination::RayKind;
+use rta_core::ray::RayKind;
 use rta_core::scene::Object;
 
 /// What a ray hits.

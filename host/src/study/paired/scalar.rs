@@ -1,7 +1,6 @@
 //! The arithmetic of both twins, each by its own rules.
 
-use rta_core::range::Magnitude;
-use rta_core::scalar::{Light, Scalar, Unit};
+use rta_core::scalar::{Light, Magnitude, Scalar, Unit};
 use rta_scenes::narrow::Narrow;
 
 use super::{Bare, Format, Paired, PairedVector, UnitFormat, Value, log};
@@ -67,24 +66,9 @@ impl<S: Format> Scalar for Paired<S> {
             .noted("over", [self.error(), slope.error()])
     }
     #[track_caller]
-    fn swollen(self, distance: Self) -> Self {
-        let twin = Scalar::swollen(self.twin, distance.twin);
-        Self { format: self.format.swollen(distance.format), twin }.noted("swollen", [self.error()])
-    }
-    fn margin(self) -> Self {
-        Self { format: self.format.margin(), twin: self.twin.margin() }
-    }
-    fn either_side(self, by: Self) -> [Self; 2] {
-        let (format, twin) = (self.format.either_side(by.format), self.twin.either_side(by.twin));
-        let pair = |format, twin| Self { format, twin };
-        let ([low, high], [twin_low, twin_high]) = (format, twin);
-        [pair(low, twin_low), pair(high, twin_high)]
-    }
-    fn coarse(self) -> f32 {
-        self.format.coarse()
-    }
-    fn coarse_margin(far: f32) -> f32 {
-        S::coarse_margin(far)
+    fn padded(self, distance: Self) -> Self {
+        let twin = Scalar::padded(self.twin, distance.twin);
+        Self { format: self.format.padded(distance.format), twin }.noted("padded", [self.error()])
     }
     fn next_up(self) -> Self {
         Self { format: Scalar::next_up(self.format), twin: self.twin.next_up() }
@@ -140,9 +124,6 @@ impl<U: UnitFormat> Unit for Paired<U> {
         Self { format: U::ratio(numerator, denominator), twin: <f64 as Unit>::ratio(numerator, denominator) }
             .noted("ratio", [])
     }
-    fn coarse(self) -> f32 {
-        self.format.coarse()
-    }
     #[track_caller]
     fn times(self, factor: Self) -> Self {
         Self { format: self.format.times(factor.format), twin: self.twin * factor.twin }
@@ -152,9 +133,6 @@ impl<U: UnitFormat> Unit for Paired<U> {
     fn over(self, divisor: Self::Inverse) -> Self {
         Self { format: Unit::over(self.format, divisor.format), twin: Unit::over(self.twin, divisor.twin) }
             .noted("over", [self.error()])
-    }
-    fn reciprocal(self) -> Self::Inverse {
-        Bare { format: self.format.reciprocal(), twin: self.twin.reciprocal() }
     }
     #[track_caller]
     fn quotient(self, divisor: Self) -> Self {
@@ -226,7 +204,13 @@ impl<S: Format> Narrow for Paired<S> {
     fn power(value: f64) -> Self::Power {
         Bare { format: <S as Narrow>::power(value), twin: value }
     }
-    fn widen(light: Self::Light) -> f32 {
-        S::widen(light.format)
+    fn to_f64(self) -> f64 {
+        self.format.to_f64()
+    }
+    fn unit_to_f64(unit: Self::Unit) -> f64 {
+        S::unit_to_f64(unit.format)
+    }
+    fn light_to_f64(light: Self::Light) -> f64 {
+        S::light_to_f64(light.format)
     }
 }

@@ -1,5 +1,5 @@
 use rta_core::Q16;
-use rta_core::illumination::RayKind;
+use rta_core::ray::RayKind;
 use rta_core::scalar::{Scalar, Unit};
 use rta_core::scene::Object;
 use rta_core::vector::{LengthVector, UnitVec3, UnitVector, Vec3, Vector};
@@ -86,7 +86,7 @@ fn the_format_runs_as_if_it_were_alone() {
             for (x, alone) in (0..).zip(&alone).step_by(5) {
                 let pair = lock_step(&scene, &at, x, 20).expect(name).expect("in the raster");
                 assert_eq!(pair.light, alone.light, "{name} {format} {x}");
-                assert_eq!(pair.trail.parting(&alone.trail), None, "{name} {format} {x}");
+                assert_eq!(pair.tree.parting(&alone.tree), None, "{name} {format} {x}");
                 assert!(!pair.log.operations.is_empty() && alone.log.operations.is_empty());
             }
         }
@@ -115,7 +115,7 @@ fn a_trail_holds_the_ray_tree() {
     assert_eq!(all.len(), (width * height) as usize);
     let [first, .., last] = all.as_slice() else { panic!("pixels") };
     let tree = |pixel: &Pixel| -> Vec<_> {
-        pixel.trail.steps.iter().map(|s| (s.kind, s.depth, s.hit, s.inside)).collect()
+        pixel.tree.steps.iter().map(|s| (s.kind, s.depth, s.hit, s.inside)).collect()
     };
     assert_eq!(tree(first), [(RayKind::Primary, 0, HitKind::Sky, false)]);
     assert!(matches!(tree(last).as_slice(), [(RayKind::Primary, 0, HitKind::Floor { .. }, false)]));
@@ -124,11 +124,11 @@ fn a_trail_holds_the_ray_tree() {
     let [primary, reflected, inner, ..] = tree(center)[..] else { panic!("a tree: {center:?}") };
     assert_eq!(primary, (RayKind::Primary, 0, glass, false));
     assert_eq!((reflected.0, reflected.1), (RayKind::Reflected, 1));
-    assert!(center.trail.steps.iter().any(|s| s.hit == glass && s.inside && s.kind == RayKind::Transmitted));
+    assert!(center.tree.steps.iter().any(|s| s.hit == glass && s.inside && s.kind == RayKind::Transmitted));
     let ball = HitKind::Object(Object::Sphere(1));
-    assert!(all.iter().any(|p| p.trail.steps.iter().any(|s| s.hit == ball && s.depth == 0)));
+    assert!(all.iter().any(|p| p.tree.steps.iter().any(|s| s.hit == ball && s.depth == 0)));
     assert!(inner.1 <= 2);
-    let shines = || all.iter().flat_map(|p| &p.trail.steps).flat_map(|s| &s.lamps);
+    let shines = || all.iter().flat_map(|p| &p.tree.steps).flat_map(|s| &s.lamps);
     let front = |wanted: f64| {
         shines().any(|s| matches!(s, Visibility::Front { part, .. } if (part - wanted).abs() < 1e-12))
     };
@@ -137,9 +137,9 @@ fn a_trail_holds_the_ray_tree() {
     }
     assert!(shines().any(|s| matches!(s, Visibility::Front { glint: true, .. })), "a highlight");
     assert!(shines().any(|s| matches!(s, Visibility::Behind)));
-    assert!(all.iter().flat_map(|p| &p.trail.steps).any(|s| s.total_reflection));
-    assert!(all.iter().any(|p| p.trail.steps.iter().any(|s| s.hit == HitKind::Object(Object::Lamp(1)))));
+    assert!(all.iter().flat_map(|p| &p.tree.steps).any(|s| s.total_reflection));
+    assert!(all.iter().any(|p| p.tree.steps.iter().any(|s| s.hit == HitKind::Object(Object::Lamp(1)))));
     // Everything is like itself and unlike its neighbour across an edge.
-    assert_eq!(center.trail.parting(&center.trail), None);
-    assert_eq!(center.trail.parting(&first.trail), Some(0));
+    assert_eq!(center.tree.parting(&center.tree), None);
+    assert_eq!(center.tree.parting(&first.tree), Some(0));
 }

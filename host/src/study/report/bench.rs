@@ -3,25 +3,25 @@
 //! It is traced with the thesis's model alone, for which the scenes were made: every further model would take as many minutes
 //! again, and the page tells of one model.
 
+use core::marker::PhantomData;
 use core::time::Duration;
 
 use cpu_time::ThreadTime;
 use rayon::iter::{IndexedParallelIterator, IntoParallelIterator, ParallelIterator};
 use rta_core::color::Rgb;
-use rta_core::illumination::{Illumination, Rta};
-use rta_core::needs::Everything;
 use rta_core::raster::Raster;
-use rta_core::sampling::Sampling;
-use rta_core::scalar::Unit;
-use rta_core::trace::Tracer;
+use rta_core::sampling::{Places, Sampling};
+use rta_core::scalar::Light;
+use rta_packets::picture::{self, Setup};
+use rta_packets::tally::Rays;
+use rta_packets::{Picture as Traced, ShadowCache};
 use rta_scenes::description::Description;
-use rta_scenes::narrow::{Narrow, Narrowed, narrow};
+use rta_scenes::in_format;
+use rta_scenes::narrow::Narrow;
 
+use super::contributions::{Contributions, Limited};
 use super::setting::{DEPTHS, LIMITS, Limit, REFERENCE_DEPTH};
-use super::tap::{self, Tap};
-use crate::engine::tally::Rays;
-use crate::engine::{EngineError, Format, MAX_DEPTH, in_format};
-use crate::request::sampling::Cutoff;
+use crate::engine::{Cutoff, EngineError, Format, Model, single};
 
 /// Linear light of pixels, each register from 0 to 1.
 pub type Picture = Vec<Rgb<f32>>;
@@ -69,6 +69,13 @@ impl Lattice {
     }
 }
 
+/// Returns a raster of the same shape whose sides are a `step`th as long, at least one pixel.
+#[must_use]
+pub fn smaller(raster: Raster, step: u32) -> Raster {
+    let side = |pixels: u32| (pixels / step.max(1)).max(1);
+    Raster::new(side(raster.width()), side(raster.height())).unwrap_or(raster)
+}
+
 /// The pictures of all limits, and the one without a limit, from one walk of the ray trees.
 #[derive(Clone, Debug, Default)]
 pub struct Pictures {
@@ -93,11 +100,12 @@ pub trait Bench: Send + Sync {
     /// [`EngineError::Core`] if the scene or the depth is refused.
     fn picture(&self, limit: Limit, sampling: Sampling, lattice: Lattice) -> Result<Picture, EngineError>;
 
-    /// Traces the picture of one setting on the calling thread without keeping it, and returns the CPU time that it takes.
+    /// Traces the picture of one setting on the calling thread, as every command traces pictures, without keeping it. Returns
+    /// the CPU time that it takes.
     ///
     /// # Errors
     /// [`EngineError::Core`] if the scene or the depth is refused.
-    fn time(&self, limit: Limit, sampling: Sampling, lattice: Lattice) -> Result<Duration, EngineError>;
+    fn time(&self, limit: Limit, sampling: Sampling, raster: Raster) -> Result<Duration, EngineError>;
 }
 
 /// Makes a scene ready in a format, for a screen of the shape `aspect : 1`.
@@ -105,47 +113,56 @@ pub trait Bench: Send + Sync {
 /// # Errors
 /// [`EngineError`] if the scene does not fit the format.
 pub fn bench(scene: &Description, aspect: f64, format: Format) -> Result<Box<dyn Bench>, EngineError> {
-    fn ready<S: Narrow>(scene: &Description, aspect: f64) -> Result<Box<dyn Bench>, EngineError> {
-        let narrowed = narrow::<S>(scene, aspect)?;
-        narrowed.scene().admit(&narrowed.camera).map_err(rta_core::Error::from)?;
-        Ok(Box::new(narrowed))
+    fn ready<S: picture::Format>(scene: &Description, aspect: f64) -> Result<Box<dyn Bench>, EngineError> {
+        let ready = Ready::<S> { scene: scene.clone(), aspect, format: PhantomData };
+        // Whatever is refused is refused now.
+        ready.traced(Limit::REFERENCE, Sampling::CENTER, Raster::new(1, 1)?)?;
+        Ok(Box::new(ready))
     }
     in_format!(format, S => ready::<S>(scene, aspect))
 }
 
-type Traced<'a, S, M> = Tracer<'a, S, M, Everything, { MAX_DEPTH as usize }>;
-
-fn tracer<S: Narrow, M: Illumination<S>>(
-    scene: &Narrowed<S>,
-    model: M,
-    limit: Limit,
-) -> Result<Traced<'_, S, M>, EngineError> {
-    let Limit { depth, cutoff } = limit;
-    let admitted = scene.scene().admit(&scene.camera).map_err(rta_core::Error::from)?;
-    let cutoff = S::Unit::ratio(cutoff.numerator(), cutoff.denominator());
-    Ok(Tracer::new(admitted, model, depth)?.with_cutoff(cutoff))
+struct Ready<S> {
+    scene: Description,
+    aspect: f64,
+    format: PhantomData<fn() -> S>,
 }
 
-impl<S: Narrow> Bench for Narrowed<S> {
+impl<S: picture::Format> Ready<S> {
+    fn traced(
+        &self,
+        limit: Limit,
+        sampling: Sampling,
+        raster: Raster,
+    ) -> Result<Box<dyn Traced<S>>, EngineError> {
+        let Limit { depth, cutoff } = limit;
+        let cutoff = (cutoff.numerator(), cutoff.denominator());
+        S::picture(&self.scene, Model::Rta, &Setup { raster, aspect: self.aspect, depth, cutoff, sampling })
+    }
+}
+
+impl<S: picture::Format> Bench for Ready<S> {
     fn pictures(&self, sampling: Sampling, lattice: Lattice, deep: bool) -> Result<Pictures, EngineError> {
         let depth = if deep { REFERENCE_DEPTH } else { *DEPTHS.end() };
-        let tracer = tracer(self, Tap(Rta), Limit { depth, cutoff: Cutoff::OFF })?;
+        let traced = self.traced(Limit { depth, cutoff: Cutoff::OFF }, sampling, lattice.raster)?;
         let row = |y| {
             let mut rays = [Rays::default(); LIMITS];
-            let mut samples = Vec::new();
+            let (mut contributions, mut cache) = (Contributions::default(), ShadowCache::default());
             let mut pixels = Vec::new();
-            for (x, y) in lattice.row(y) {
-                samples.clear();
-                for (right, up) in sampling.places(lattice.raster, x, y) {
-                    let direction = self.camera.direction(right, up);
-                    samples.push(tap::sample(&mut rays, || tracer.primary(&self.camera, direction)));
+            let samples_of_row = sampling.row::<S::Unit>(lattice.raster, y);
+            for (x, _) in lattice.row(y) {
+                let mut sums = [Rgb::BLACK; LIMITS + 1];
+                for sample in 0..sampling.samples() {
+                    let (right, up) = sampling.place(lattice.raster, samples_of_row, x, sample);
+                    let trace = |observer: &mut Contributions<S::Light>| {
+                        traced.sample(right, up, &mut cache, observer)
+                    };
+                    let Limited { lights, whole } = contributions.sample(&mut rays, trace);
+                    for (sum, light) in sums.iter_mut().zip(lights.into_iter().chain([whole])) {
+                        *sum = add(&sampling, *sum, light);
+                    }
                 }
-                let shown = |at| {
-                    let light =
-                        |sample: &tap::Limited<S::Light>| *sample.lights.get(at).unwrap_or(&sample.whole);
-                    sampling.mean(samples.iter().map(light)).map(S::widen)
-                };
-                pixels.push(core::array::from_fn::<_, { LIMITS + 1 }, _>(shown));
+                pixels.push(sums.map(|sum| sampling.mean(sum).map(single::<S>)));
             }
             (pixels, rays)
         };
@@ -167,32 +184,45 @@ impl<S: Narrow> Bench for Narrowed<S> {
     }
 
     fn picture(&self, limit: Limit, sampling: Sampling, lattice: Lattice) -> Result<Picture, EngineError> {
-        let tracer = tracer(self, Rta, limit)?;
-        let pixel = |at| sampling.pixel(&tracer, &self.camera, lattice.raster, at).map(S::widen);
+        let traced = self.traced(limit, sampling, lattice.raster)?;
+        let row = |y| {
+            let mut cache = ShadowCache::default();
+            let samples_of_row = sampling.row::<S::Unit>(lattice.raster, y);
+            let pixel = |(x, _)| {
+                let mut sum = Rgb::BLACK;
+                for sample in 0..sampling.samples() {
+                    let (right, up) = sampling.place(lattice.raster, samples_of_row, x, sample);
+                    sum = add(&sampling, sum, traced.sample(right, up, &mut cache, &mut ()));
+                }
+                sampling.mean(sum).map(single::<S>)
+            };
+            lattice.row(y).map(pixel).collect::<Vec<_>>()
+        };
         let rows = lattice.rows().into_par_iter().with_max_len(1);
-        Ok(rows.flat_map_iter(|y| lattice.row(y).map(pixel).collect::<Vec<_>>()).collect())
+        Ok(rows.flat_map_iter(row).collect())
     }
 
-    fn time(&self, limit: Limit, sampling: Sampling, lattice: Lattice) -> Result<Duration, EngineError> {
-        let tracer = tracer(self, Rta, limit)?;
+    fn time(&self, limit: Limit, sampling: Sampling, raster: Raster) -> Result<Duration, EngineError> {
+        let traced = self.traced(limit, sampling, raster)?;
         let start = ThreadTime::now();
-        let light = traced_pixels(&tracer, self, sampling, lattice);
+        let light = traced_pixels(&*traced);
         let time = start.elapsed();
         core::hint::black_box(light);
         Ok(time)
     }
 }
 
-/// The function that is measured: callgrind is told its name. Besides tracing it adds up the light of all pixels, so that the
-/// compiler can leave out none of them. It must not be inlined, or callgrind would not find it.
+/// Adds a sample to a pixel. What a display cannot show of a single sample is cut off here too, as of several.
+fn add<L: Light>(sampling: &Sampling, sum: Rgb<L>, light: Rgb<L>) -> Rgb<L> {
+    let shown = light.map(|light| if light > L::WHITE { L::WHITE } else { light });
+    sampling.add(sum, shown)
+}
+
+/// Traces the whole picture. Its name is the one that callgrind is told. All that it does besides tracing is one addition a
+/// pixel, so that nothing can be left out.
 #[inline(never)]
-fn traced_pixels<S: Narrow>(
-    tracer: &Traced<'_, S, Rta>,
-    scene: &Narrowed<S>,
-    sampling: Sampling,
-    lattice: Lattice,
-) -> Rgb<S::Light> {
-    let pixels = Lattice::side(lattice.raster.height(), lattice.step).flat_map(|y| lattice.row(y));
-    let light = |at| sampling.pixel(tracer, &scene.camera, lattice.raster, at);
-    pixels.map(light).fold(Rgb::BLACK, |sum: Rgb<S::Light>, light| sum.plus(light))
+fn traced_pixels<S: Narrow>(traced: &dyn Traced<S>) -> Rgb<S::Light> {
+    let mut sum = Rgb::BLACK;
+    traced.rows(0, u32::MAX, &mut |row| sum = row.iter().fold(sum, |sum, light| sum.plus(*light)));
+    sum
 }

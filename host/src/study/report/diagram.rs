@@ -8,6 +8,7 @@ use plotters::coord::combinators::{BindKeyPoints, LogCoord, WithKeyPoints};
 use plotters::prelude::*;
 use plotters::style::{FontStyle, register_font};
 use rta_core::color::Rgb;
+use rta_core::sampling::Places;
 
 use super::measure::pareto_front;
 use super::setting::Method;

@@ -5,9 +5,9 @@ use core::sync::atomic::AtomicBool;
 use std::path::Path;
 
 use rta_core::raster::Raster;
-use rta_core::sampling::Sampling;
+use rta_core::sampling::{Places, Sampling};
 
-use super::bench::{Lattice, bench};
+use super::bench::{bench, smaller};
 use super::setting::{Limit, Method, samplings};
 use crate::args::InstructionsArgs;
 use crate::engine::EngineError;
@@ -51,7 +51,7 @@ pub fn run(args: &InstructionsArgs) -> Result<(), StudyError> {
         Raster::new(args.size.width(), args.size.height()).map_err(EngineError::from).map_err(failed)?;
     for (method, limit) in order() {
         let bench = bench(&scene.description, args.aspect.ratio(), method.format).map_err(failed)?;
-        bench.time(limit, method.sampling, Lattice::every(raster, STEP)).map_err(failed)?;
+        bench.time(limit, method.sampling, smaller(raster, STEP)).map_err(failed)?;
     }
     Ok(())
 }
@@ -73,6 +73,8 @@ pub fn count(
 
 #[cfg(test)]
 mod tests {
+    use rta_core::sampling::Places;
+
     use super::{counted, order};
     use crate::study::report::setting::samplings;
 

@@ -6,6 +6,7 @@ use super::diagram::{cost, front};
 use super::instructions;
 use super::study::{DEVICES, REPEATS, Row, Study, TIME_STEP, TRUTH_STEP};
 use crate::picture::raster::Size;
+use rta_core::sampling::Places;
 
 /// Errors for which the cheapest setting is named: one level of guns with 3 to 10 bits.
 const TARGETS: [u32; 7] = [7, 15, 31, 63, 127, 255, 1023];

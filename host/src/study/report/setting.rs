@@ -3,7 +3,7 @@
 use core::fmt;
 use core::ops::RangeInclusive;
 
-use rta_core::sampling::Sampling;
+use rta_core::sampling::{Places, Sampling};
 
 use crate::engine::{Format, MAX_DEPTH};
 use crate::request::sampling::Cutoff;
@@ -103,6 +103,8 @@ pub const LIMITS: usize = (*DEPTHS.end() as usize + 1) * CUTOFFS.len();
 
 #[cfg(test)]
 mod tests {
+    use rta_core::sampling::Places;
+
     use super::{LIMITS, Limit, Method, samplings};
 
     #[test]

@@ -9,19 +9,19 @@ use rta_core::raster::Raster;
 use rta_core::sampling::Sampling;
 
 use super::Source;
-use super::bench::{Bench, Lattice, Picture, Pictures, bench};
+use super::bench::{Bench, Lattice, Picture, Pictures, bench, smaller};
 use super::measure::{Difference, median};
 use super::setting::{LIMITS, Limit, Method, reference_sampling, samplings};
 use super::{display, instructions};
 
 use crate::engine::callgrind::CountError;
 use crate::engine::progress::Progress;
-use crate::engine::tally::Rays;
 use crate::engine::{EngineError, Format};
 use crate::picture::device::Device;
 use crate::picture::raster::Size;
 use crate::request::error::{Hint, RequestError};
 use crate::study::error::StudyError;
+use rta_packets::tally::Rays;
 
 /// The devices whose display error is measured.
 pub const DEVICES: [Device; 3] = [Device::Vga, Device::Graphigs, Device::Pixrect];
@@ -255,7 +255,7 @@ fn scale_instructions(
     counts: &[u64],
     rows: &mut [Row],
 ) -> Result<(), StudyError> {
-    let lattice = Lattice::every(raster(source, setup)?, instructions::STEP);
+    let lattice = Lattice::all(smaller(raster(source, setup)?, instructions::STEP));
     let parts = Parts { source, setup, lattice };
     let methods: Vec<_> = instructions::order().map(|(method, _)| method).step_by(LIMITS).collect();
     for rows in rows.chunks_mut(LIMITS) {
@@ -286,8 +286,8 @@ fn times(
     rows: &mut [Row],
     mut reached: impl FnMut(u32),
 ) -> Result<(), StudyError> {
-    let lattice = Lattice::every(raster(source, setup)?, TIME_STEP);
-    let parts = Parts { source, setup, lattice };
+    let raster = smaller(raster(source, setup)?, TIME_STEP);
+    let parts = Parts { source, setup, lattice: Lattice::all(raster) };
     let mut part = 0;
     for rows in rows.chunks_mut(LIMITS) {
         let Some(Method { format, sampling }) = rows.first().map(|row| row.method) else { continue };
@@ -295,7 +295,7 @@ fn times(
         let bench = ready(source, setup, format)?;
         for (row, rays) in rows.iter_mut().zip(rays) {
             setup.go_on()?;
-            let time = || Ok(bench.time(row.limit, sampling, lattice)?.as_secs_f64());
+            let time = || Ok(bench.time(row.limit, sampling, raster)?.as_secs_f64());
             let times: Result<Vec<_>, EngineError> = (0..REPEATS).map(|_| time()).collect();
             row.seconds = median(times.map_err(failed(source))?) * count(row.rays) / rays;
         }

@@ -2,6 +2,7 @@
 
 use super::measure::Difference;
 use super::study::{DEVICES, Row, Study};
+use rta_core::sampling::Places;
 
 /// Returns the rows of all studies as comma-separated values.
 ///

@@ -5,17 +5,16 @@ use fastrand::Rng;
 use rta_core::light::Incident;
 use rta_core::needs::Everything;
 use rta_core::range::Admitted;
-use rta_core::ray::Ray;
 use rta_core::scalar::Unit;
-use rta_core::scene::Object;
-use rta_core::shape::Spot;
+use rta_core::surface::Surface;
 use rta_core::vector::{LengthVector, UnitVec3, UnitVector, Vector};
-use rta_scenes::description::{Description, Lamp, Surface};
-use rta_scenes::narrow::{Narrowed, narrow};
+use rta_core::world::Seen;
+use rta_scenes::description::{self, Description, Lamp};
+use rta_scenes::narrow::{Narrow, Narrowed, narrow};
 
 use super::aim::{Round, Triple, across, add, length, magnitude, sphere, unit};
 use super::cases::Case;
-use super::exact::{Exact, rounded};
+use super::exact::rounded;
 use super::guard::guarded;
 use super::outcome::Measured;
 
@@ -29,7 +28,7 @@ const OBJECTS: usize = 8;
 /// Half the time eye and lamp are the case's own, so that a lamp inside an object lights it from inside; else they are
 /// anywhere around it, from touching to 100 times its size away. Most points are near the border between light and
 /// dark, where the way to the lamp is flattest. Reflected rays have to leave the object as well.
-pub(super) fn search<S: Exact>(case: &Case, points: usize, rng: &mut Rng, measured: &mut Measured) {
+pub(super) fn search<S: Narrow>(case: &Case, points: usize, rng: &mut Rng, measured: &mut Measured) {
     let lone: Vec<Description> = alone(&case.scene).take(OBJECTS).collect();
     if lone.is_empty() {
         return;
@@ -79,15 +78,15 @@ fn alone(scene: &Description) -> impl Iterator<Item = Description> {
     (empty.spheres, empty.ellipsoids, empty.cylinders) = Default::default();
     empty.floor = None;
     let spheres = scene.spheres.iter().cloned().map(|mut sphere| {
-        sphere.surface = Surface::Opaque;
+        sphere.surface = description::Surface::Opaque;
         Description { spheres: vec![sphere], ..empty.clone() }
     });
     let ellipsoids = scene.ellipsoids.iter().cloned().map(|mut ellipsoid| {
-        ellipsoid.surface = Surface::Opaque;
+        ellipsoid.surface = description::Surface::Opaque;
         Description { ellipsoids: vec![ellipsoid], ..empty.clone() }
     });
     let cylinders = scene.cylinders.iter().cloned().map(|mut cylinder| {
-        cylinder.surface = Surface::Opaque;
+        cylinder.surface = description::Surface::Opaque;
         Description { cylinders: vec![cylinder], ..empty.clone() }
     });
     spheres.chain(ellipsoids).chain(cylinders).collect::<Vec<_>>().into_iter()
@@ -117,7 +116,7 @@ fn toward(round: &Round, eye: Triple, lamp: Triple, rng: &mut Rng) -> Triple {
 
 /// Whether the point in that direction sees the lamp and lets a reflected ray go; nothing if there is no such point, or
 /// one that the lamp is on the other side of.
-fn look<S: Exact>(
+fn look<S: Narrow>(
     narrowed: &Narrowed<S>,
     scene: &Admitted<S>,
     direction: Triple,
@@ -125,31 +124,20 @@ fn look<S: Exact>(
 ) -> Option<bool> {
     let [x, y, z] = direction.map(S::unit);
     let direction: UnitVec3<S> = Vector::new(x, y, z);
-    let lid = scene.limits().lid;
-    let ray = Ray::new::<Everything>(narrowed.camera.eye, direction);
-    let hit = scene.nearest::<Everything>(&ray, lid)?;
-    let t = hit.distance;
-    let (Spot { point, normal, .. }, extent) = match hit.object {
-        Object::Sphere(i) => scene.spheres.get(i).map(|s| (s.spot(&ray, t), s.radius))?,
-        Object::Ellipsoid(i) => {
-            scene.ellipsoids.get(i).map(|e| (e.spot(&ray, t), e.extent.squashed(e.thickness)))?
-        }
-        Object::Cylinder(i) => scene.cylinders.get(i).map(|c| (c.spot(&ray, t), c.radius))?,
-        _ => return None,
-    };
-    let inside = normal.dot(direction) > S::Unit::ZERO;
-    let normal = if inside { -normal } else { normal };
+    let ray = scene.ray::<Everything>(narrowed.camera.eye, direction);
+    let hit = scene.closest::<Everything>(&ray)?;
+    let Seen::Surface(surface) = scene.seen::<Everything>(&ray, Some(hit)) else { return None };
+    let Surface { point, normal, inside, extent, .. } = surface;
     let incident = Incident::new(narrowed.lamps.first()?, point, normal)?;
     if incident.cosine <= S::Unit::ZERO || inside != lamp_inside {
         return None;
     }
     let (start, used) = point.leave(normal, incident.direction, extent);
-    let shadow = Ray::new::<Everything>(start, incident.direction);
-    let lit = scene.transmittance::<Everything>(&shadow, incident.distance - used, lid) == S::Unit::ONE;
+    let shadow = scene.ray::<Everything>(start, incident.direction);
+    let lit = scene.transmittance::<Everything>(&shadow, incident.distance - used, 0) == S::Unit::ONE;
     let reflected = direction.reflect(normal);
     let (start, _) = point.leave(normal, reflected, extent);
     // From inside, a reflected ray meets the object again, as it must.
-    let away =
-        inside || scene.nearest::<Everything>(&Ray::new::<Everything>(start, reflected), lid).is_none();
+    let away = inside || scene.closest::<Everything>(&scene.ray::<Everything>(start, reflected)).is_none();
     Some(lit && away)
 }

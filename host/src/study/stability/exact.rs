@@ -1,56 +1,16 @@
 //! Numbers rounded to a format and read back as `f64`, so that the reference computes with the very numbers of the format.
 
-use rta_core::{Q16, Q20};
 use rta_scenes::description::{Description, Surface};
 use rta_scenes::narrow::Narrow;
-
-/// A format whose numbers can be read. Every length and unit of the formats of 32 bits is an `f64`.
-pub trait Exact: Narrow {
-    /// A length as it is.
-    fn read_length(self) -> f64;
-    /// A component or coefficient as it is.
-    fn read_unit(unit: Self::Unit) -> f64;
-}
-
-macro_rules! float {
-    ($f:ty) => {
-        impl Exact for $f {
-            fn read_length(self) -> f64 {
-                f64::from(self)
-            }
-            fn read_unit(unit: Self) -> f64 {
-                f64::from(unit)
-            }
-        }
-    };
-}
-
-macro_rules! fixed_point {
-    ($f:ty) => {
-        impl Exact for $f {
-            fn read_length(self) -> f64 {
-                self.to_num()
-            }
-            fn read_unit(unit: Self::Unit) -> f64 {
-                unit.to_num()
-            }
-        }
-    };
-}
-
-float!(f32);
-float!(f64);
-fixed_point!(Q16);
-fixed_point!(Q20);
 
 /// The scene with each number rounded to what `S` makes of it. What is beyond the range of the format stays as it is, so
 /// that it is refused for what it is; so do radiances and intensities.
 #[must_use]
-pub fn rounded<S: Exact>(scene: &Description) -> Description {
+pub fn rounded<S: Narrow>(scene: &Description) -> Description {
     let mut scene = scene.clone();
     let length = |value: &mut f64| {
         if value.abs() < S::largest() {
-            *value = S::length(*value).read_length();
+            *value = S::length(*value).to_f64();
         }
     };
     let radius = |value: &mut f64| {
@@ -60,7 +20,7 @@ pub fn rounded<S: Exact>(scene: &Description) -> Description {
     };
     let unit = |value: &mut f64| {
         if value.abs() <= S::LARGEST_COLOR {
-            *value = S::read_unit(S::unit(*value));
+            *value = S::unit_to_f64(S::unit(*value));
         }
     };
     let surface = |surface: &mut Surface| {

@@ -1,27 +1,25 @@
 //! One case in one format, ray by ray beside `f64`.
 
-use core::sync::atomic::{AtomicU64, Ordering};
-
 use fastrand::Rng;
 use rta_core::Scalar;
 use rta_core::color::Rgb;
-use rta_core::illumination::{Illumination, RayKind, Rta, Secondary, Surface, Whitted};
-use rta_core::light::Incident;
-use rta_core::needs::{Everything, Needs};
+use rta_core::illumination::{Rta, Whitted};
+use rta_core::needs::Everything;
 use rta_core::range::Admitted;
-use rta_core::ray::Ray;
 use rta_core::trace::Tracer;
 use rta_core::vector::{UnitVec3, Vector};
+use rta_packets::tally::Tally;
 use rta_scenes::description::Description;
+use rta_scenes::in_format;
 use rta_scenes::narrow::{Narrow, Narrowed, narrow};
 
 use super::acne;
 use super::aim::{Drawn, unit};
 use super::cases::Case;
-use super::exact::{Exact, rounded};
+use super::exact::rounded;
 use super::guard::guarded;
 pub use super::outcome::{Measured, Outcome};
-use crate::engine::{EngineError, Format, MAX_DEPTH, in_format};
+use crate::engine::{EngineError, Format, MAX_DEPTH, single};
 
 /// Rays from one eye.
 const BLOCK: usize = 256;
@@ -34,7 +32,7 @@ pub fn measure(case: &Case, format: Format, samples: usize) -> Outcome {
     in_format!(format, S => measured::<S>(case, samples))
 }
 
-fn measured<S: Exact>(case: &Case, samples: usize) -> Outcome {
+fn measured<S: Narrow>(case: &Case, samples: usize) -> Outcome {
     let mut measured = Measured { samples: (samples / case.thinning).max(1), ..Measured::default() };
     let mut errors = Vec::with_capacity(measured.samples);
     // The same rays for all formats, and others for each case.
@@ -59,7 +57,7 @@ fn measured<S: Exact>(case: &Case, samples: usize) -> Outcome {
 }
 
 /// Traces the rays of one eye.
-fn block<S: Exact>(
+fn block<S: Narrow>(
     case: &Case,
     scene: &Description,
     count: usize,
@@ -69,16 +67,16 @@ fn block<S: Exact>(
 ) -> Result<(), EngineError> {
     let given = rounded::<S>(scene);
     let (tested, exact) = (narrow::<S>(&given, 1.0)?, narrow::<f64>(&given, 1.0)?);
-    let (rays, unused) = (AtomicU64::new(0), AtomicU64::new(0));
-    let (tested, exact) = (Side::new(&tested, case.depth, &rays)?, Side::new(&exact, case.depth, &unused)?);
+    let (mut rays, mut unused) = (Tally::default(), Tally::default());
+    let (tested, exact) = (Side::new(&tested, case.depth)?, Side::new(&exact, case.depth)?);
     for i in 0..count {
         let (direction, twin) = directions::<S>(case.aim.draw(scene, rng), &tested, &exact);
         // The two models take turns.
-        let traced = guarded(|| (tested.object(direction), tested.light(direction, i % 2 == 0)));
-        let expected = guarded(|| (exact.object(twin), exact.light(twin, i % 2 == 0)));
+        let traced = guarded(|| (tested.object(direction), tested.light(direction, i % 2 == 0, &mut rays)));
+        let expected = guarded(|| (exact.object(twin), exact.light(twin, i % 2 == 0, &mut unused)));
         match (traced, expected) {
             (Ok((object, light)), Ok((twin_object, expected))) => {
-                match difference(light.map(S::widen), expected.map(<f64 as Narrow>::widen)) {
+                match difference(light.map(single::<S>), expected.map(single::<f64>)) {
                     None => measured.non_finite += 1,
                     Some(_) if object != twin_object => measured.wrong += 1,
                     Some(levels) => errors.push(levels),
@@ -87,21 +85,21 @@ fn block<S: Exact>(
             (Err(failure), _) | (_, Err(failure)) => measured.failed(failure),
         }
     }
-    measured.rays += rays.load(Ordering::Relaxed);
+    measured.rays += rays.0.iter().sum::<u64>();
     Ok(())
 }
 
 /// Returns a direction in the format, and its exact value in `f64`.
-fn directions<S: Exact>(drawn: Drawn, tested: &Side<S>, exact: &Side<f64>) -> (UnitVec3<S>, UnitVec3<f64>) {
+fn directions<S: Narrow>(drawn: Drawn, tested: &Side<S>, exact: &Side<f64>) -> (UnitVec3<S>, UnitVec3<f64>) {
     match drawn {
         Drawn::Through(x, y) => {
             let (x, y) = (S::unit(x), S::unit(y));
-            let twin = exact.scene.camera.direction(S::read_unit(x), S::read_unit(y));
+            let twin = exact.scene.camera.direction(S::unit_to_f64(x), S::unit_to_f64(y));
             (tested.scene.camera.direction(x, y), twin)
         }
         Drawn::Along(direction) => {
             let [x, y, z] = direction.map(S::unit);
-            let [u, v, w] = unit([x, y, z].map(S::read_unit));
+            let [u, v, w] = unit([x, y, z].map(S::unit_to_f64));
             (Vector::new(x, y, z), Vector::new(u, v, w))
         }
     }
@@ -121,53 +119,29 @@ fn difference(got: Rgb<f32>, want: Rgb<f32>) -> Option<f64> {
 struct Side<'a, S: Scalar> {
     scene: &'a Narrowed<S>,
     admitted: Admitted<'a, S>,
-    rta: Tracer<'a, S, Counting<'a, Rta>, Everything, { MAX_DEPTH as usize }>,
-    whitted: Tracer<'a, S, Counting<'a, Whitted<S>>, Everything, { MAX_DEPTH as usize }>,
+    rta: Tracer<'a, S, Rta, Everything, { MAX_DEPTH as usize }>,
+    whitted: Tracer<'a, S, Whitted<S>, Everything, { MAX_DEPTH as usize }>,
 }
 
-impl<'a, S: Exact> Side<'a, S> {
-    fn new(scene: &'a Narrowed<S>, depth: u32, rays: &'a AtomicU64) -> Result<Self, rta_core::Error> {
+impl<'a, S: Narrow> Side<'a, S> {
+    fn new(scene: &'a Narrowed<S>, depth: u32) -> Result<Self, rta_core::Error> {
         let admitted = scene.scene().admit(&scene.camera)?;
-        let rta = Tracer::new(admitted, Counting { model: Rta, rays }, depth)?;
-        let whitted = Tracer::new(admitted, Counting { model: Whitted::default(), rays }, depth)?;
+        let rta = Tracer::new(admitted, Rta, depth)?;
+        let whitted = Tracer::new(admitted, Whitted::default(), depth)?;
         Ok(Self { scene, admitted, rta, whitted })
     }
 
     fn object(&self, direction: UnitVec3<S>) -> Option<rta_core::scene::Object> {
-        let ray = Ray::new::<Everything>(self.scene.camera.eye, direction);
-        self.admitted.nearest::<Everything>(&ray, self.admitted.limits().lid).map(|hit| hit.object)
+        let ray = self.admitted.ray::<Everything>(self.scene.camera.eye, direction);
+        self.admitted.closest::<Everything>(&ray).map(|hit| hit.object)
     }
 
-    fn light(&self, direction: UnitVec3<S>, rta: bool) -> Rgb<S::Light> {
-        let camera = &self.scene.camera;
-        if rta { self.rta.primary(camera, direction) } else { self.whitted.primary(camera, direction) }
-    }
-}
-
-/// A model whose rays are counted.
-#[derive(Clone, Copy, Debug)]
-struct Counting<'a, M> {
-    model: M,
-    rays: &'a AtomicU64,
-}
-
-impl<S: Scalar, M: Illumination<S>> Illumination<S> for Counting<'_, M> {
-    type Weight = M::Weight;
-    const BOTH_SIDES: bool = M::BOTH_SIDES;
-
-    fn ambient<N: Needs>(&self, surface: &Surface<S>, ambient: Rgb<S::Light>) -> Rgb<S::Light> {
-        self.model.ambient::<N>(surface, ambient)
-    }
-    fn is_lit<N: Needs>(&self, surface: &Surface<S>) -> bool {
-        self.model.is_lit::<N>(surface)
-    }
-    fn direct<N: Needs>(&self, surface: &Surface<S>, incident: &Incident<S>) -> Rgb<S::Light> {
-        self.model.direct::<N>(surface, incident)
-    }
-    fn secondary<N: Needs>(&self, surface: &Surface<S>) -> Secondary<Self::Weight> {
-        self.model.secondary::<N>(surface)
-    }
-    fn note(&self, _kind: RayKind) {
-        self.rays.fetch_add(1, Ordering::Relaxed);
+    fn light(&self, direction: UnitVec3<S>, rta: bool, tally: &mut Tally) -> Rgb<S::Light> {
+        let eye = self.scene.camera.eye;
+        if rta {
+            self.rta.trace(eye, direction, &mut (), tally)
+        } else {
+            self.whitted.trace(eye, direction, &mut (), tally)
+        }
     }
 }

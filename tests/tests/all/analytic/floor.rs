@@ -124,7 +124,7 @@ fn far_floor<S: Measure>() {
         // Where the ray goes that the format has made of it, from the eye that it has made of it.
         let ray = read_direction::<S>(direction::<S>(towards));
         let from = place::<S>(eye);
-        let from = [from.x(), from.y(), from.z()].map(S::read_length);
+        let from = [from.x(), from.y(), from.z()].map(S::to_f64);
         let t = from[2] / -ray[2];
         let target = [from[0] + t * ray[0], from[1] + t * ray[1]];
         // Not where a rounding on the way decides.

@@ -2,10 +2,11 @@
 
 #![allow(clippy::indexing_slicing, reason = "arrays of three")]
 
-use rta_core::illumination::{Rta, Surface};
+use rta_core::illumination::Rta;
 use rta_core::material::Material;
 use rta_core::scene::{Scene, Sky};
-use rta_core::trace::refract;
+use rta_core::surface::Surface;
+use rta_core::trace::decision::refract;
 use rta_core::vector::UnitVector;
 use rta_tests::assert_close;
 use rta_tests::measure::{Measure, color, direction, light, place, read_direction};
@@ -27,6 +28,7 @@ fn refracted<S: Measure>(degrees: f64, ior: f64, inside: bool) -> Option<[f64; 3
         incoming: direction::<S>([sine, 0.0, -cosine]),
         distance: S::length(1.0),
         inside,
+        extent: S::ZERO,
         color: color::<S>(WHITE),
         material: &Material::Transparent(glass),
     };

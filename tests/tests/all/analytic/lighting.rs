@@ -157,8 +157,8 @@ fn solid_angle<S: Measure>() {
         let incident = Incident::new(&lamp, place::<S>([0.0; 3]), direction::<S>([0.0, 0.0, 1.0]));
         let incident = incident.expect("not at the lamp's centre");
         let case = format!("radius {radius} at {distance}");
-        assert_close!(S::read_unit(incident.solid_angle()), want, 4.0 * S::UNIT, "of the sphere", "{case}");
-        assert_close!(incident.distance.read_length(), distance, S::LENGTH, "units", "{case}");
-        assert_close!(S::read_unit(incident.cosine), 0.8, 4.0 * S::UNIT, COSINE, "{case}");
+        assert_close!(S::unit_to_f64(incident.solid_angle()), want, 4.0 * S::UNIT, "of the sphere", "{case}");
+        assert_close!(incident.distance.to_f64(), distance, S::LENGTH, "units", "{case}");
+        assert_close!(S::unit_to_f64(incident.cosine), 0.8, 4.0 * S::UNIT, COSINE, "{case}");
     }
 }

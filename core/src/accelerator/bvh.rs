@@ -1,0 +1,219 @@
+//! A bounding volume hierarchy (J. Goldsmith and J. Salmon, "Automatic Creation of Object Hierarchies for Ray Tracing", IEEE
+//! CG&A 7, 1987), made ahead and borrowed, walked without a stack.
+//!
+//! The volumes are spheres, so that a node costs what a sphere costs and no direction has to be inverted. Nodes lie in
+//! preorder, and each knows where the walk goes on if the ray misses it (B. Smits, "Efficiency Issues for Ray Tracing", 1998).
+//! A leaf stands for a run of [`Bvh::order`], or of the scene's spheres in their own order. Nothing is left out that the
+//! ray meets: the radius of a node is [`Scalar::padded`] by what its test and that of an object in it can be wrong together.
+
+use core::hash::{Hash, Hasher};
+use core::ops::ControlFlow;
+
+use super::{Accelerator, WrongNode};
+use crate::needs::{Everything, Needs};
+use crate::ray::Ray;
+use crate::scalar::vector::{LengthVector, Vec3};
+use crate::scalar::{Scalar, Unit};
+use crate::scene::{Object, Scene, Visit, index};
+use crate::shape::{Primitive, Sphere};
+
+/// A node: a sphere about a run of objects.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Node<S: Scalar> {
+    /// Centre.
+    pub center: Vec3<S>,
+    /// Radius, more than 0 and at most [`Node::largest_radius`]: the objects of the run lie within.
+    pub radius: S,
+    /// The first object of the run.
+    pub first: u32,
+    /// The object after the last of the run.
+    pub end: u32,
+    /// The node after all that lie below this one; a leaf has none below.
+    pub skip: u32,
+}
+
+impl<S: Scalar> Node<S> {
+    /// Half of the largest length, the most that a node's radius may be.
+    pub fn largest_radius() -> S {
+        S::FAR.scale(S::Unit::ratio(1, 2))
+    }
+
+    /// Whether a ray may meet an object of the run nearer than `t_max`.
+    fn is_met(&self, ray: &Ray<S>, t_max: S) -> bool {
+        let displacement = self.center - ray.origin;
+        let b = displacement.dot(ray.direction);
+        let radius = self.radius.padded(b);
+        if b < -radius || (b > S::ZERO && b - radius >= t_max) {
+            return false;
+        }
+        displacement.reject(ray.direction, b).norm_squared() <= radius.square()
+    }
+}
+
+/// A hierarchy over the finite objects of a scene.
+#[derive(Clone, Copy, Debug)]
+pub struct Bvh<'a, S: Scalar> {
+    /// Nodes in preorder, the root first.
+    pub nodes: &'a [Node<S>],
+    /// Every finite object of the scene once: what the nodes' runs are of. Where it is empty, they are of the scene's list of
+    /// spheres, and the other lists are gone through one object after the other.
+    pub order: &'a [Object],
+}
+
+impl<S: Scalar> Accelerator<S> for Bvh<'_, S> {
+    type Memory = ();
+    const IN_ORDER: bool = false;
+
+    fn candidates<N: Needs>(
+        &self,
+        scene: &Scene<'_, S>,
+        ray: &Ray<S>,
+        visit: &mut impl Visit<S>,
+    ) -> ControlFlow<()> {
+        if self.order.is_empty() {
+            return scene.each::<N>(&mut OverSpheres { nodes: self.nodes, ray, visit });
+        }
+        scene.each::<N>(&mut OfEndless(visit))?;
+        walk(self.nodes, ray, visit, |first, end, visit| {
+            let run = self.order.get(first..end).unwrap_or_default();
+            run.iter().try_for_each(|&object| scene.one::<N>(object, visit))
+        })
+    }
+
+    /// Containment is checked of spheres in their own order. Of other objects it is the builder's promise: where a node is too
+    /// small, something is not seen, and nothing else happens.
+    fn check(&self, scene: &Scene<'_, S>) -> Result<(), WrongNode> {
+        let held = if self.order.is_empty() { scene.spheres.len() } else { self.order.len() };
+        let mut covered = 0;
+        for (number, node) in self.nodes.iter().enumerate() {
+            let (first, end, skip) = (index(node.first), index(node.end), index(node.skip));
+            let leads_on = skip > number && skip <= self.nodes.len();
+            let has_size = node.radius > S::ZERO && node.radius <= Node::largest_radius();
+            // Leaves follow each other through the run; what is above them begins where the next leaf does.
+            let has_run = first == covered && first < end && end <= held;
+            if !(leads_on && has_size && has_run && self.contains_spheres(node, scene)) {
+                return Err(WrongNode(number));
+            }
+            if skip == number + 1 {
+                covered = end;
+            }
+        }
+        let names_each_once = self.order.is_empty() || {
+            let mut finite = Names::default();
+            let _ = scene.each::<Everything>(&mut finite);
+            let mut named = Names::default();
+            self.order.iter().for_each(|&object| named.add(object));
+            named == finite
+        };
+        let is_whole = covered == held && names_each_once;
+        if is_whole { Ok(()) } else { Err(WrongNode(self.nodes.len().saturating_sub(1))) }
+    }
+
+    fn places(&self, see: impl FnMut(Vec3<S>)) {
+        self.nodes.iter().map(|node| node.center).for_each(see);
+    }
+}
+
+impl<S: Scalar> Bvh<'_, S> {
+    /// Whether a node contains its run of spheres; of objects in another order that is not asked.
+    fn contains_spheres(&self, node: &Node<S>, scene: &Scene<'_, S>) -> bool {
+        let run = scene.spheres.get(index(node.first)..index(node.end));
+        let contains = |sphere: &Sphere<S>| {
+            let room = node.radius - sphere.radius;
+            room >= S::ZERO && (sphere.center - node.center).norm_squared() <= room.square()
+        };
+        !self.order.is_empty() || run.is_some_and(|run| run.iter().all(contains))
+    }
+}
+
+/// Walks the nodes that a ray may meet something in, and calls `leaf` with the run of each leaf.
+fn walk<S: Scalar, V: Visit<S>>(
+    nodes: &[Node<S>],
+    ray: &Ray<S>,
+    visit: &mut V,
+    mut leaf: impl FnMut(usize, usize, &mut V) -> ControlFlow<()>,
+) -> ControlFlow<()> {
+    let mut number = 0;
+    while let Some(node) = nodes.get(number) {
+        let skip = index(node.skip);
+        if node.is_met(ray, visit.t_max()) {
+            number += 1;
+            if skip == number {
+                leaf(index(node.first), index(node.end), visit)?;
+            }
+        } else {
+            number = skip;
+        }
+    }
+    ControlFlow::Continue(())
+}
+
+/// Shows the spheres by the nodes over them, and all other lists whole.
+struct OverSpheres<'a, S: Scalar, V> {
+    nodes: &'a [Node<S>],
+    ray: &'a Ray<S>,
+    visit: &'a mut V,
+}
+
+impl<S: Scalar, V: Visit<S>> Visit<S> for OverSpheres<'_, S, V> {
+    fn run<P: Primitive<S>>(&mut self, first: Object, run: &[P]) -> ControlFlow<()> {
+        if !matches!(first, Object::Sphere(_)) {
+            return self.visit.run(first, run);
+        }
+        walk(self.nodes, self.ray, self.visit, |from, end, visit| {
+            // A run is within the list of spheres, which is not longer than 2^32.
+            let by = u32::try_from(from).unwrap_or(u32::MAX);
+            visit.run(first.after(by), run.get(from..end).unwrap_or_default())
+        })
+    }
+}
+
+/// Shows only lists of what has no end, which is in no node.
+struct OfEndless<'a, V>(&'a mut V);
+
+impl<S: Scalar, V: Visit<S>> Visit<S> for OfEndless<'_, V> {
+    fn run<P: Primitive<S>>(&mut self, first: Object, run: &[P]) -> ControlFlow<()> {
+        if P::IS_FINITE { ControlFlow::Continue(()) } else { self.0.run(first, run) }
+    }
+}
+
+/// How many finite objects there are, and a sum of hashes of their names: two sets of objects that agree in both are equal but
+/// for one case in 2^64, and no list has to be kept to tell.
+#[derive(Default, PartialEq)]
+struct Names {
+    count: usize,
+    sum: u64,
+}
+
+impl Names {
+    fn add(&mut self, object: Object) {
+        let mut hash = Fnv(0xcbf2_9ce4_8422_2325);
+        object.hash(&mut hash);
+        self.count += 1;
+        self.sum = self.sum.wrapping_add(hash.finish());
+    }
+}
+
+impl<S: Scalar> Visit<S> for Names {
+    fn run<P: Primitive<S>>(&mut self, first: Object, run: &[P]) -> ControlFlow<()> {
+        if P::IS_FINITE {
+            (0..).zip(run).for_each(|(by, _)| self.add(first.after(by)));
+        }
+        ControlFlow::Continue(())
+    }
+}
+
+/// The hash FNV-1a of 64 bits (G. Fowler, L. Noll and K. Vo, 1991).
+struct Fnv(u64);
+
+impl Hasher for Fnv {
+    fn write(&mut self, bytes: &[u8]) {
+        for &byte in bytes {
+            self.0 = (self.0 ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3);
+        }
+    }
+
+    fn finish(&self) -> u64 {
+        self.0
+    }
+}

@@ -1,0 +1,128 @@
+//! The visitors that find what of a lamp's light comes through to a surface.
+
+use core::marker::PhantomData;
+use core::ops::ControlFlow;
+
+use heapless::Vec;
+
+use super::{Accelerator, Lists};
+use crate::material::Material;
+use crate::needs::Needs;
+use crate::ray::Ray;
+use crate::scalar::{Scalar, Unit};
+use crate::scene::{Object, Visit};
+use crate::shape::Primitive;
+use crate::world::World;
+
+/// So many transparent objects on the way of a ray are kept and sorted. Where there are as many, which is rare, the objects
+/// are gone through in the order of their lists.
+const MANY: usize = 8;
+
+/// Returns what part of the light the candidates of an accelerator let through.
+pub(super) fn through<S: Scalar, N: Needs, A: Accelerator<S>>(
+    accelerator: &A,
+    world: &World<'_, S>,
+    ray: &Ray<S>,
+    t_max: S,
+) -> S::Unit {
+    if A::IN_ORDER {
+        let mut visitor = Through::<S, N, _> { ray, t_max, filters: S::Unit::ONE, needs: PhantomData };
+        let is_hidden = accelerator.candidates::<N>(&world.scene, ray, &mut visitor).is_break();
+        return if is_hidden { S::Unit::ZERO } else { visitor.filters };
+    }
+    let filters = Filters::<S, MANY>::new();
+    let mut visitor = Through::<S, N, _> { ray, t_max, filters, needs: PhantomData };
+    if accelerator.candidates::<N>(&world.scene, ray, &mut visitor).is_break() {
+        return S::Unit::ZERO;
+    }
+    visitor.filters.product().unwrap_or_else(|| through::<S, N, _>(&Lists, world, ray, t_max))
+}
+
+/// Meets the objects on the way of a shadow ray, and ends where nothing is left of its light.
+struct Through<'r, S: Scalar, N, F> {
+    ray: &'r Ray<S>,
+    t_max: S,
+    filters: F,
+    needs: PhantomData<N>,
+}
+
+impl<S: Scalar, N: Needs, F: Filter<S>> Visit<S> for Through<'_, S, N, F> {
+    fn t_max(&self) -> S {
+        self.t_max
+    }
+
+    fn run<P: Primitive<S>>(&mut self, first: Object, run: &[P]) -> ControlFlow<()> {
+        for (i, primitive) in (0..).zip(run) {
+            if primitive.intersect(self.ray, self.t_max).is_some() {
+                match transmitted::<S, N>(primitive.look().material) {
+                    Some(kt) => self.filters.filter(first.after(i), kt)?,
+                    None => return ControlFlow::Break(()),
+                }
+            }
+        }
+        ControlFlow::Continue(())
+    }
+}
+
+/// What part of the light is left behind transparent objects.
+trait Filter<S: Scalar> {
+    /// Lets the part `kt` through; ends where nothing is left.
+    fn filter(&mut self, object: Object, kt: S::Unit) -> ControlFlow<()>;
+}
+
+/// The product so far, of objects that come in order.
+impl<S: Scalar<Unit = U>, U: Unit> Filter<S> for U {
+    fn filter(&mut self, _object: Object, kt: U) -> ControlFlow<()> {
+        *self = self.times(kt);
+        if *self > U::ZERO { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+    }
+}
+
+impl<S: Scalar, const MOST: usize> Filter<S> for Filters<S, MOST> {
+    fn filter(&mut self, object: Object, kt: S::Unit) -> ControlFlow<()> {
+        self.add(object, kt);
+        ControlFlow::Continue(())
+    }
+}
+
+/// Returns the part of a shadow ray's light that a material lets through; nothing where it casts a full shadow.
+pub fn transmitted<S: Scalar, N: Needs>(material: &Material<S>) -> Option<S::Unit> {
+    if N::TRANSPARENT_SHADOWS { material.glass::<N>().map(|glass| glass.kt) } else { None }
+}
+
+/// The transparent objects on the way of a shadow ray, met in any order and kept in order of [`Object`]: the product of what
+/// they let through depends on it by its roundings. There is room for fewer than `MOST`.
+pub struct Filters<S: Scalar, const MOST: usize>(Vec<(Object, S::Unit), MOST>);
+
+impl<S: Scalar, const MOST: usize> Filters<S, MOST> {
+    /// No object.
+    #[allow(clippy::new_without_default, reason = "one way is enough")]
+    pub const fn new() -> Self {
+        Self(Vec::new())
+    }
+
+    /// Whether nothing was met.
+    pub fn is_empty(&self) -> bool {
+        self.0.is_empty()
+    }
+
+    /// Adds an object that lets the part `kt` through.
+    pub fn add(&mut self, object: Object, kt: S::Unit) {
+        // When it is full, what is in it does not matter any more.
+        let _ = self.0.push((object, kt));
+        let mut rest = self.0.as_mut_slice();
+        while let [.., before, last] = rest
+            && last.0 < before.0
+        {
+            core::mem::swap(before, last);
+            let end = rest.len() - 1;
+            rest = rest.get_mut(..end).unwrap_or_default();
+        }
+    }
+
+    /// Returns what comes through all of them; nothing if they were too many.
+    pub fn product(&self) -> Option<S::Unit> {
+        let part = self.0.iter().fold(S::Unit::ONE, |part, (_, kt)| part.times(*kt));
+        (!self.0.is_full()).then_some(part)
+    }
+}

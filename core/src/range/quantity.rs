@@ -1,0 +1,128 @@
+//! What the range proof bounds, and why a scene is refused.
+
+use core::fmt;
+
+use crate::scalar::Magnitude;
+use crate::scene::Object;
+
+/// What is bounded.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum Quantity {
+    /// A coordinate of the eye or of the outside of an object.
+    Coordinate,
+    /// The distance between any two places of the scene, and along a ray.
+    Distance,
+    /// The same, and a coordinate, where one place is on the floor.
+    Reach,
+    /// The square of a distance.
+    Square,
+    /// The sum of three products of a length with a unit, before it is rounded.
+    Product,
+    /// A component of a unit vector, a cosine, a coefficient.
+    Component,
+    /// A component of the way from the eye to the image plane.
+    ImagePlane,
+    /// The reflectance of a surface.
+    Reflectance,
+    /// The weight of a ray: a product of reflectances.
+    Weight,
+    /// The largest radius of an ellipsoid over its smallest.
+    Thinness,
+    /// Four times the distance that a ray's start stands off a surface, against the smallest radius.
+    Clearance,
+    /// Radiance, which saturates by design.
+    Radiance,
+}
+
+impl Quantity {
+    /// What the quantity is called.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Coordinate => "coordinate",
+            Self::Distance => "distance between two places",
+            Self::Reach => "distance to the floor's end",
+            Self::Square => "squared distance",
+            Self::Product => "sum of three products",
+            Self::Component => "component of a unit vector",
+            Self::ImagePlane => "component of the image plane",
+            Self::Reflectance => "reflectance",
+            Self::Weight => "weight of a ray",
+            Self::Thinness => "largest over smallest radius",
+            Self::Clearance => "four times a ray's clearance",
+            Self::Radiance => "radiance (saturates)",
+        }
+    }
+}
+
+/// A row of the proof: a quantity never exceeds its bound, and the bound not the limit.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Bound {
+    /// What is bounded.
+    pub quantity: Quantity,
+    /// The largest size it can have.
+    pub bound: Magnitude,
+    /// The largest size it may have.
+    pub limit: Magnitude,
+    /// Who is to blame for the bound; nothing for the eye, or where nobody is.
+    pub object: Option<Object>,
+}
+
+impl Bound {
+    /// Whether the bound keeps the limit, or need not.
+    pub fn holds(&self) -> bool {
+        self.bound <= self.limit || self.quantity == Quantity::Radiance
+    }
+}
+
+/// Why a scene is refused: a row of the proof that does not hold.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum RangeError {
+    /// A quantity exceeds its limit.
+    Exceeds(Bound),
+    /// A radius is not above 0 (a lamp's: below 0).
+    Radius(Object),
+    /// A reflectance is below 0.
+    Color(Object),
+    /// A node of a hierarchy leads nowhere, or, of spheres, does not contain its run of them.
+    Hierarchy(usize),
+}
+
+/// Writes an object the way a scene file counts: from 1.
+struct Named(Option<Object>);
+
+impl fmt::Display for Named {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.0 {
+            None => write!(f, "the observer"),
+            Some(Object::Floor) => write!(f, "the floor"),
+            Some(object) => object.fmt(f),
+        }
+    }
+}
+
+impl fmt::Display for RangeError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Exceeds(Bound { quantity, bound, limit, object }) => {
+                let (object, quantity) = (Named(*object), quantity.name());
+                write!(
+                    f,
+                    "{object} is out of the number format's range: {quantity} {bound}, beyond the largest {limit}"
+                )
+            }
+            Self::Radius(object) => {
+                write!(f, "{} has a radius that is not above 0 in the number format", Named(Some(*object)))
+            }
+            Self::Hierarchy(node) => {
+                write!(f, "node {node} of the hierarchy does not contain its objects, or leads nowhere")
+            }
+            Self::Color(object) => {
+                write!(f, "{} has a colour with a negative register", Named(Some(*object)))
+            }
+        }
+    }
+}
+
+impl core::error::Error for RangeError {}

@@ -1,0 +1,165 @@
+//! Where the samples of a pixel lie: one in its middle, or several on regular and jittered grids, of whose light the mean
+//! is taken.
+
+use super::Raster;
+use crate::color::Rgb;
+use crate::scalar::{Light, Unit};
+
+/// Where the samples of a pixel lie on the image plane, and what becomes of their light.
+pub trait Places: Copy + Send + Sync {
+    /// What the samples of a row of pixels have in common.
+    type Row<U: Unit>: Copy;
+
+    /// Samples a pixel, at least 1.
+    fn samples(&self) -> u32;
+
+    /// Returns what the samples of row `y` have in common, 0 at the top.
+    fn row<U: Unit>(&self, raster: Raster, y: u32) -> Self::Row<U>;
+
+    /// Returns the place of a sample of pixel `x` for [`Camera::direction`](crate::camera::Camera::direction): to the right and
+    /// up, each from -1/2 to 1/2.
+    fn place<U: Unit>(&self, raster: Raster, row: Self::Row<U>, x: u32, sample: u32) -> (U, U);
+
+    /// Returns the sum of the samples so far and one more.
+    fn add<L: Light>(&self, sum: Rgb<L>, light: Rgb<L>) -> Rgb<L>;
+
+    /// Returns the light of a pixel from the sum over all of its samples.
+    fn mean<L: Light>(&self, sum: Rgb<L>) -> Rgb<L>;
+}
+
+/// One sample in the middle of each pixel, whose light is kept as it is.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Center;
+
+impl Center {
+    /// Where the centre of pixel `i` of `n` lies, from -1/2 to 1/2: the whole extent scaled by `(2i + 1) / 2n`. A step
+    /// that was rounded and then added up would drift across the picture.
+    fn place<U: Unit>(i: u32, n: u32) -> U {
+        // Both are at most 2^17.
+        U::fraction((2 * i + 1).cast_signed() - n.cast_signed(), 2 * n)
+    }
+}
+
+impl Places for Center {
+    /// How far down the row lies.
+    type Row<U: Unit> = U;
+
+    fn samples(&self) -> u32 {
+        1
+    }
+
+    fn row<U: Unit>(&self, raster: Raster, y: u32) -> U {
+        Self::place(y, raster.height())
+    }
+
+    fn place<U: Unit>(&self, raster: Raster, row: U, x: u32, _sample: u32) -> (U, U) {
+        (Self::place(x, raster.width()), -row)
+    }
+
+    fn add<L: Light>(&self, _sum: Rgb<L>, light: Rgb<L>) -> Rgb<L> {
+        light
+    }
+
+    fn mean<L: Light>(&self, sum: Rgb<L>) -> Rgb<L> {
+        sum
+    }
+}
+
+/// Where the samples of a pixel lie: one in each cell of a grid of `side x side` cells, in its middle or, jittered
+/// (R. Cook, "Stochastic Sampling in Computer Graphics", ACM TOG 5, 1986), anywhere in it.
+///
+/// Places are ratios of integers in every format. The jitter is a hash of pixel, sample and seed, so a picture does not
+/// depend on the order in which its pixels are drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Sampling {
+    side: u8,
+    seed: Option<u32>,
+}
+
+/// Places within a cell, along a side, that jitter tells apart.
+const CELL: i64 = 1 << 16;
+
+impl Sampling {
+    /// One sample, in the middle of the pixel.
+    pub const CENTER: Self = Self { side: 1, seed: None };
+
+    /// The most cells along a side: 16384 samples of at most 1 add up to less than the largest
+    /// [`Radiance`](crate::scalar::Radiance).
+    pub const MAX_SIDE: u8 = 128;
+
+    /// `side x side` samples, each in the middle of its cell; nothing where `side` is 0 or above
+    /// [`Sampling::MAX_SIDE`].
+    pub const fn grid(side: u8) -> Option<Self> {
+        if side == 0 || side > Self::MAX_SIDE { None } else { Some(Self { side, seed: None }) }
+    }
+
+    /// The same cells, with each sample anywhere in its own.
+    pub const fn jittered(self, seed: u32) -> Self {
+        Self { seed: Some(seed), ..self }
+    }
+
+    /// Whether the samples are jittered.
+    pub const fn is_jittered(self) -> bool {
+        self.seed.is_some()
+    }
+
+    /// Where in its cell a sample lies, in 1/65536ths from the left and from above.
+    fn part(self, x: u32, y: u32, sample: u32) -> (i64, i64) {
+        let Some(seed) = self.seed else { return (CELL / 2, CELL / 2) };
+        let [right, down, ..] = hash([x, y, sample, seed]);
+        (i64::from(right >> 16), i64::from(down >> 16))
+    }
+}
+
+/// Row by row from the pixel's upper left. The mean is the box filter, of light cut to what a display can show: a highlight
+/// twenty thousand times as bright as white would whiten a pixel that it covers a sixteenth of. The light of
+/// [`Sampling::CENTER`] is kept as it is.
+impl Places for Sampling {
+    /// The number of the row.
+    type Row<U: Unit> = u32;
+
+    fn samples(&self) -> u32 {
+        u32::from(self.side) * u32::from(self.side)
+    }
+
+    fn row<U: Unit>(&self, _raster: Raster, y: u32) -> u32 {
+        y
+    }
+
+    fn place<U: Unit>(&self, raster: Raster, y: u32, x: u32, sample: u32) -> (U, U) {
+        let side = u32::from(self.side);
+        let place = |pixel: u32, cell: u32, part: i64, pixels: u32| {
+            let cells = i64::from(pixels) * i64::from(side);
+            let whole = i64::from(pixel) * i64::from(side) + i64::from(cell);
+            U::ratio(2 * (whole * CELL + part) - cells * CELL, 2 * cells * CELL)
+        };
+        let (right, down) = self.part(x, y, sample);
+        (place(x, sample % side, right, raster.width()), -place(y, sample / side, down, raster.height()))
+    }
+
+    fn add<L: Light>(&self, sum: Rgb<L>, light: Rgb<L>) -> Rgb<L> {
+        if *self == Self::CENTER {
+            return light;
+        }
+        sum.plus(light.map(|light| if light > L::WHITE { L::WHITE } else { light }))
+    }
+
+    fn mean<L: Light>(&self, sum: Rgb<L>) -> Rgb<L> {
+        let share = L::Unit::ratio(1, i64::from(self.samples()));
+        sum.map(|light| light.times(share))
+    }
+}
+
+/// Four words into four others that look random: `pcg4d` of M. Jarzynski and M. Olano, "Hash Functions for GPU
+/// Rendering", JCGT 9(3), 2020.
+fn hash(words: [u32; 4]) -> [u32; 4] {
+    let mix = |[mut x, mut y, mut z, mut w]: [u32; 4]| {
+        x = x.wrapping_add(y.wrapping_mul(w));
+        y = y.wrapping_add(z.wrapping_mul(x));
+        z = z.wrapping_add(x.wrapping_mul(y));
+        w = w.wrapping_add(y.wrapping_mul(z));
+        [x, y, z, w]
+    };
+    let words = words.map(|word| word.wrapping_mul(1_664_525).wrapping_add(1_013_904_223));
+    mix(mix(words).map(|word| word ^ (word >> 16)))
+}

@@ -1,0 +1,108 @@
+//! What is decided at one point: which lamps count, and which rays are spawned with which weight.
+//!
+//! The decisions stand apart from how directions are computed, so that a tracer of several rays side by side takes the very
+//! same.
+
+use crate::color::Rgb;
+use crate::illumination::{Illumination, Weight};
+use crate::light::Incident;
+use crate::material::Glass;
+use crate::needs::Needs;
+use crate::ray::RayKind;
+use crate::scalar::vector::{UnitVec3, UnitVector, Vec3};
+use crate::scalar::{Scalar, Unit};
+use crate::surface::Surface;
+
+/// Where a ray starts and where it goes.
+#[derive(Clone, Copy, Debug)]
+pub struct Start<S: Scalar> {
+    /// The place.
+    pub origin: Vec3<S>,
+    /// The unit direction.
+    pub direction: UnitVec3<S>,
+}
+
+/// The place of a ray in the ray tree.
+#[derive(Clone, Copy, Debug)]
+pub struct Branch<W> {
+    /// What part of its light arrives in the pixel.
+    pub weight: W,
+    /// Reflections and refractions between it and the eye.
+    pub depth: u8,
+    /// What it is traced for.
+    pub kind: RayKind,
+}
+
+impl<W> Branch<W> {
+    /// A ray from the eye.
+    pub fn eye<S: Scalar>() -> Self
+    where
+        W: Weight<S>,
+    {
+        Self { weight: W::WHOLE, depth: 0, kind: RayKind::Primary }
+    }
+}
+
+/// Returns what a surface sends back of a lamp that nothing hides: darkness where the lamp is behind the surface and the model
+/// lights one side alone.
+pub fn direct<S: Scalar, M: Illumination<S>, N: Needs>(
+    model: &M,
+    surface: &Surface<S>,
+    incident: &Incident<S>,
+) -> Rgb<S::Light> {
+    let is_behind = incident.cosine <= S::Unit::ZERO;
+    if is_behind && !M::BOTH_SIDES { Rgb::BLACK } else { model.direct::<N>(surface, incident) }
+}
+
+/// A ray that is to be traced.
+type Spawned<S, W> = Option<(Branch<W>, Start<S>)>;
+
+/// Returns the transmitted and the reflected ray that a surface spawns, as the model weights them: where there is total
+/// internal reflection both are one, and a ray is left out whose weight is below `cutoff`. `reflected` says where the reflected
+/// ray starts and goes, `refracted` the transmitted one, or nothing where there is total internal reflection.
+#[cfg_attr(not(target_os = "none"), inline(always))]
+pub fn branch<S: Scalar, M: Illumination<S>, N: Needs>(
+    model: &M,
+    surface: &Surface<S>,
+    (parent, cutoff): (&Branch<M::Weight>, S::Unit),
+    reflected: impl FnOnce() -> Start<S>,
+    refracted: impl FnOnce(&Glass<S>) -> Option<Start<S>>,
+) -> [Spawned<S, M::Weight>; 2] {
+    let secondary = model.secondary::<N>(surface);
+    let ray = |weight: M::Weight, kind| {
+        let weight = parent.weight.compose(weight);
+        (!weight.is_below(cutoff)).then(|| Branch { weight, depth: parent.depth + 1, kind })
+    };
+    let (mut transmitted, mut mirrored) = (None, secondary.reflected);
+    if N::GLASS
+        && let (Some(glass), Some(through)) = (surface.material.glass::<N>(), secondary.transmitted)
+    {
+        match refracted(glass) {
+            Some(start) => transmitted = ray(through, RayKind::Transmitted).map(|branch| (branch, start)),
+            None => mirrored = Some(mirrored.map_or(through, |weight| weight.join(through))),
+        }
+    }
+    let mirrored = mirrored.and_then(|weight| ray(weight, RayKind::Reflected));
+    [transmitted, mirrored.map(|branch| (branch, reflected()))]
+}
+
+/// Returns the direction of the transmitted ray by Snell's law; nothing where there is total internal reflection.
+///
+/// `T = eta I + (eta cos - sqrt(1 - eta^2 (1 - cos^2))) N`, where eta is the index of refraction where the ray comes
+/// from over that where it goes. Where that is above 1 everything is divided by it, so that no number is: the direction
+/// is normalised in the end anyway.
+pub fn refract<S: Scalar>(surface: &Surface<S>, glass: &Glass<S>) -> Option<UnitVec3<S>> {
+    let one = S::Unit::ONE;
+    let cosine = -surface.normal.dot(surface.incoming);
+    let direction = if surface.inside != glass.denser {
+        // Into the denser: 1 - eta^2 + (eta cos)^2.
+        let slanted = glass.eta.times(cosine);
+        let root = S::Unit::radical(one, slanted, glass.eta)?;
+        surface.incoming.scale(glass.eta).plus(surface.normal, slanted - root)
+    } else {
+        // Into the thinner, over eta: (1/eta)^2 - 1 + cos^2.
+        let root = S::Unit::radical(cosine, glass.eta, one)?;
+        surface.incoming.plus(surface.normal, cosine - root)
+    };
+    direction.normalize().map(|(direction, _)| direction)
+}

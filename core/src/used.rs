@@ -1,0 +1,52 @@
+//! What a scene uses of [`Needs`]: which constants a program that draws only this scene can set to false.
+
+use crate::material::{Finish, Material};
+pub use crate::needs::Used;
+use crate::needs::{Everything, Needs};
+use crate::scalar::{Scalar, Unit};
+use crate::scene::Scene;
+
+impl Used {
+    /// Returns what a scene uses. `specular` is whether the illumination model lets shiny surfaces reflect, and mirrors and
+    /// glass show highlights.
+    pub fn by<S: Scalar>(scene: &Scene<S>, specular: bool) -> Self {
+        let mut used = Self::default();
+        scene.note_shapes(&mut used);
+        let (mut shiny, mut mirror, mut diffuse) = (false, false, scene.floor.is_some());
+        scene.looks(|_, look| match look.material {
+            Material::Opaque => diffuse = true,
+            Material::Shiny => (shiny, diffuse) = (true, true),
+            Material::Mirror => mirror = true,
+            Material::Transparent(_) => used.glass = true,
+            Material::Finish(Finish { kd, glass, .. }) => {
+                used.finish = true;
+                used.glass |= look.material.glass::<Everything>().is_some();
+                mirror |= glass.ks > S::Unit::ZERO;
+                shiny |= specular && glass.ks > S::Unit::ZERO;
+                diffuse |= *kd > S::Unit::ZERO;
+            }
+        });
+        used.floor = scene.floor.is_some();
+        used.sky_gradient = scene.sky.horizon != scene.sky.zenith;
+        used.visible_lamps = scene.lamps.iter().any(|lamp| lamp.radius > S::ZERO);
+        used.mirror = used.glass || mirror || (specular && shiny);
+        used.lamps = !scene.lamps.is_empty() && (diffuse || (specular && scene.has_objects()));
+        used.glint = used.lamps && (shiny || (specular && used.mirror));
+        used.several_lamps = used.lamps && scene.lamps.len() > 1;
+        used.attenuation = used.lamps && !specular;
+        used.shadows = used.lamps;
+        used.transparent_shadows = used.lamps && used.glass;
+        used
+    }
+}
+
+/// Returns the name of the first constant that is false in `N` although the scene uses what it stands for with a model that
+/// is not specular, as [`Rta`](crate::illumination::Rta). Shadows may be left out on purpose.
+pub fn missing<N: Needs, S: Scalar>(scene: &Scene<S>) -> Option<&'static str> {
+    let waived = |name| !N::SHADOWS && matches!(name, "SHADOWS" | "TRANSPARENT_SHADOWS");
+    let (used, there) = (Used::by(scene, false).named(), Used::of::<N>().named());
+    used.into_iter()
+        .zip(there)
+        .find(|&((name, used), (_, there))| used && !there && !waived(name))
+        .map(|((name, _), _)| name)
+}

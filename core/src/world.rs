@@ -1,0 +1,76 @@
+//! A scene with its limits: what a ray through it sees.
+
+use crate::color::Rgb;
+use crate::material::Material;
+use crate::needs::Needs;
+use crate::ray::Ray;
+use crate::scalar::vector::{UnitVec3, UnitVector, Vec3};
+use crate::scalar::{Scalar, Unit};
+use crate::scene::{Hit, Limits, Object, Scene, index};
+use crate::shape::{Look, SurfacePoint};
+use crate::surface::Surface;
+
+/// A scene, and where what has no end ends in it.
+#[derive(Clone, Copy, Debug)]
+pub struct World<'a, S: Scalar> {
+    /// The scene.
+    pub scene: Scene<'a, S>,
+    /// How far it is seen and lit.
+    pub limits: Limits<S>,
+}
+
+/// What a ray sees.
+#[derive(Clone, Copy, Debug)]
+pub enum Seen<'a, S: Scalar> {
+    /// The sky, or a lamp: its radiance.
+    Light(Rgb<S::Light>),
+    /// A surface.
+    Surface(Surface<'a, S>),
+}
+
+impl<'a, S: Scalar> World<'a, S> {
+    /// Returns a ray that all objects of the scene can be asked about.
+    pub fn ray<N: Needs>(&self, origin: Vec3<S>, direction: UnitVec3<S>) -> Ray<S> {
+        let ray = Ray::new(origin, direction);
+        let has_cylinders = N::CYLINDERS && !self.scene.cylinders.is_empty();
+        if has_cylinders { ray.with_plan(self.limits.cylinder_end) } else { ray }
+    }
+
+    /// Returns the distance at which a ray meets the floor, if there is one and it does.
+    pub fn floor<N: Needs>(&self, ray: &Ray<S>) -> Option<S> {
+        if N::FLOOR { self.scene.floor.as_ref().and_then(|floor| floor.intersect(ray)) } else { None }
+    }
+
+    /// Returns what is seen along a ray whose nearest hit is `hit`.
+    #[cfg_attr(not(target_os = "none"), inline(always))]
+    pub fn seen<N: Needs>(&self, ray: &Ray<S>, hit: Option<Hit<S>>) -> Seen<'a, S> {
+        let Some(Hit { distance, object }) = hit else { return self.sky::<N>(ray) };
+        let found = match object {
+            Object::Lamp(i) if N::VISIBLE_LAMPS => {
+                return match self.scene.lamps.get(index(i)) {
+                    Some(lamp) => Seen::Light(lamp.radiance()),
+                    None => self.sky::<N>(ray),
+                };
+            }
+            Object::Floor if N::FLOOR => self.scene.floor.as_ref().map(|floor| {
+                let (point, color) = floor.point(ray, distance, self.limits.floor_end);
+                (point, color, &Material::Opaque, S::ZERO)
+            }),
+            _ => self.scene.point::<N>(object, ray, distance).map(|(point, look)| {
+                let Look { color, material, extent, .. } = look;
+                (point, color, material, extent)
+            }),
+        };
+        let Some((SurfacePoint { distance, point, normal }, color, material, extent)) = found else {
+            return self.sky::<N>(ray);
+        };
+        let inside = normal.dot(ray.direction) > S::Unit::ZERO;
+        let normal = if inside { -normal } else { normal };
+        let incoming = ray.direction;
+        Seen::Surface(Surface { point, normal, incoming, distance, inside, extent, color, material })
+    }
+
+    fn sky<N: Needs>(&self, ray: &Ray<S>) -> Seen<'a, S> {
+        Seen::Light(self.scene.sky.radiance::<N>(ray.direction))
+    }
+}

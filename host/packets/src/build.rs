@@ -1,0 +1,268 @@
+//! Builds the lists that the search goes by, from a scene's description.
+
+mod four;
+mod light_buffer;
+mod window;
+
+use rta_core::scene::Object;
+use rta_core::vector::{UnitVec3, Vector};
+use rta_scenes::accelerator::bounds::Bounds;
+use rta_scenes::accelerator::sah::{Costs, Tree, tree};
+use rta_scenes::accelerator::solid::{Solid, solids};
+use rta_scenes::description::Description;
+use rta_scenes::narrow::{Narrow, triangle};
+use rta_scenes::space::{difference, length};
+
+use crate::leaf::{Boxes, Child, Column4, Cone4, LARGEST, MAX_DEPTH, Sphere4, Triangle4};
+use crate::number::ToF32;
+use crate::packets::Packets;
+use four::four;
+
+/// So many objects are as quickly tried four by four.
+const FEW: usize = 8;
+/// Measured: other costs change the instructions of a picture by 1 %, and these halve the number of leaves.
+const COSTS: Costs = Costs { pair: 1.4, object: 0.3, pack: 1.0, at_once: 4, leaf: 8 };
+
+/// A sphere about an object.
+type Ball = ([f64; 3], f64);
+
+impl Packets {
+    /// Builds the lists for a scene that is traced in the number format `S`.
+    #[must_use]
+    pub fn build<S: Narrow + ToF32>(scene: &Description) -> Self {
+        let mut solids = solids(scene);
+        let lamps = scene.lamps.iter().zip(0..).filter(|(lamp, _)| lamp.radius > 0.0);
+        solids.extend(lamps.map(|(lamp, i)| Solid::sphere(lamp.position, lamp.radius, Object::Lamp(i))));
+        let feet =
+            scene.cylinders.iter().map(|c| Bounds::about([c.position[0], c.position[1], 0.0], [c.radius; 3]));
+        let bounds = solids.iter().map(|solid| solid.bounds).chain(feet);
+        let largest = bounds.fold(0.0f64, |most, bounds| most.max(bounds.largest()));
+        let mut built = Self::default();
+        if largest > f64::from(LARGEST) / 4.0 || solids.len() > Child::MAX_ITEMS as usize {
+            built.is_too_large = true;
+            return built;
+        }
+        built.size = single(largest);
+        for (four, first) in scene.cylinders.chunks(4).zip((0..).step_by(4)) {
+            let mut columns = Column4::EMPTY;
+            for ((slot, cylinder), number) in four.iter().enumerate().zip(first..) {
+                let [x, y] = &mut columns.center;
+                (x[slot], y[slot]) = (single(cylinder.position[0]), single(cylinder.position[1]));
+                columns.radius[slot] = single(cylinder.radius);
+                if let Some(place) = columns.cylinders.get_mut(slot) {
+                    *place = number;
+                }
+            }
+            built.columns.push(columns);
+        }
+        let mut maker =
+            Maker::<S> { scene, solids: &[], built, runs: Vec::new(), format: core::marker::PhantomData };
+        if solids.len() <= FEW {
+            maker.solids = &solids;
+            maker.leaf(0, solids.len());
+            return maker.built;
+        }
+        let tree = tree(&mut solids, 0, 0, &COSTS);
+        maker.solids = &solids;
+        maker.built.leaves.reserve_exact(leaves(&tree));
+        if maker.emit(&tree, true) > MAX_DEPTH {
+            maker.built.nodes.clear();
+            maker.built.leaves.clear();
+            maker.built.cones.clear();
+            maker.built.triangles.clear();
+            maker.runs.clear();
+            maker.emit(&tree, false);
+        }
+        drop(tree);
+        let Maker { mut built, runs, .. } = maker;
+        built.nodes.shrink_to_fit();
+        light_buffer::build::<S>(scene, solids, &runs, &mut built);
+        built
+    }
+}
+
+/// The nearest; the search has a margin for that.
+#[allow(clippy::cast_possible_truncation)] // within the format
+pub(super) fn single(value: f64) -> f32 {
+    value as f32
+}
+
+/// The sphere about an object; that of a sphere or a lamp is the thing itself.
+fn ball(scene: &Description, item: Object) -> Option<Ball> {
+    let index = |i: u32| i as usize;
+    Some(match item {
+        Object::Sphere(i) => scene.spheres.get(index(i)).map(|s| (s.position, s.radius))?,
+        Object::Lamp(i) => scene.lamps.get(index(i)).map(|l| (l.position, l.radius))?,
+        Object::Ellipsoid(i) => scene
+            .ellipsoids
+            .get(index(i))
+            .map(|e| (e.position, e.radii.iter().fold(0.0f64, |most, &radius| most.max(radius))))?,
+        Object::Cone(i) => {
+            let cone = scene.cones.get(index(i))?;
+            let (way, radius) = (difference(cone.apex, cone.base), cone.base_radius.max(cone.apex_radius));
+            (middle(cone.base, cone.apex), (length(way) / 2.0).hypot(radius))
+        }
+        Object::Triangle(i) => about(scene.triangles.get(index(i))?.vertices),
+        Object::Floor | Object::Cylinder(_) => return None,
+    })
+}
+
+/// The axis and the largest radius of a cone.
+fn rod(scene: &Description, item: Object) -> Option<([f64; 3], f64)> {
+    let Object::Cone(i) = item else { return None };
+    let cone = scene.cones.get(i as usize)?;
+    let way = difference(cone.apex, cone.base);
+    let length = length(way);
+    Some((way.map(|c| c / length), cone.base_radius.max(cone.apex_radius)))
+}
+
+/// The planes of a triangle, in the picture's own numbers: corner, normal and the three across the edges; and its height.
+fn sheet<S: Narrow + ToF32>(scene: &Description, item: Object) -> Option<([[f32; 3]; 5], f32)> {
+    let Object::Triangle(i) = item else { return None };
+    let triangle = triangle::narrow::<S>(0, scene.triangles.get(i as usize)?).ok()?;
+    let corner = [triangle.corner.x().to_f32(), triangle.corner.y().to_f32(), triangle.corner.z().to_f32()];
+    let way = |v: UnitVec3<S>| [v.x(), v.y(), v.z()].map(S::unit_to_f32);
+    let [first, second, third] = triangle.inward.map(way);
+    let [height, ..] = triangle.heights;
+    Some(([corner, way(triangle.normal), first, second, third], height.to_f32()))
+}
+
+fn middle(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    let mut middle = a;
+    for (c, b) in middle.iter_mut().zip(b) {
+        *c = f64::midpoint(*c, b);
+    }
+    middle
+}
+
+/// The smallest sphere about a triangle: about its longest side where the angle opposite is not acute, else through all
+/// three.
+fn about([a, b, c]: [[f64; 3]; 3]) -> Ball {
+    let sides = [(a, b, c), (b, c, a), (c, a, b)].map(|(a, b, c)| (length(difference(b, a)), a, b, c));
+    let longest = sides.iter().max_by(|p, q| p.0.total_cmp(&q.0));
+    let Some(&(side, a, b, c)) = longest else { return (a, 0.0) };
+    let center = middle(a, b);
+    let reach = length(difference(c, center));
+    if reach <= side / 2.0 {
+        return (center, side / 2.0);
+    }
+    // From the middle of the longest side towards the third vertex, where all are equally far: with u along the side and h
+    // across it, the vertex at (x, y): h = (x^2 + y^2 - (side/2)^2) / 2y.
+    let along = difference(b, a).map(|c| c / side);
+    let way = difference(c, center);
+    let x: f64 = way.iter().zip(along).map(|(w, u)| w * u).sum();
+    let mut across = way;
+    for (w, u) in across.iter_mut().zip(along) {
+        *w -= x * u;
+    }
+    let y = length(across);
+    let h = (reach * reach - side * side / 4.0) / (2.0 * y);
+    let mut place = center;
+    for (c, across) in place.iter_mut().zip(across) {
+        *c += across / y * h;
+    }
+    (place, h.hypot(side / 2.0))
+}
+
+/// How many leaves a tree's leaves take.
+fn leaves(tree: &Tree) -> usize {
+    match tree {
+        Tree::Leaf(_, _, count) => count.div_ceil(4),
+        Tree::Pair(_, pair) => pair.iter().map(leaves).sum(),
+    }
+}
+
+/// What writes nodes and leaves.
+struct Maker<'a, S> {
+    scene: &'a Description,
+    solids: &'a [Solid],
+    built: Packets,
+    /// The first object of each leaf, and how many it has.
+    runs: Vec<(u32, u32)>,
+    format: core::marker::PhantomData<S>,
+}
+
+impl<S: Narrow + ToF32> Maker<'_, S> {
+    /// Appends `count` objects, and says how many leaves they are.
+    fn leaf(&mut self, first: usize, count: usize) -> usize {
+        let run = self.solids.get(first..first + count).unwrap_or_default();
+        for (four, first) in run.chunks(4).zip((first..).step_by(4)) {
+            let (mut leaf, mut cones, mut triangles) = (Sphere4::EMPTY, Cone4::EMPTY, Triangle4::EMPTY);
+            for (slot, solid) in four.iter().enumerate() {
+                let item = leaf.items.get_mut(slot);
+                let (Some(item), Some((center, reach))) = (item, ball(self.scene, solid.object)) else {
+                    continue;
+                };
+                *item = solid.object;
+                leaf.radius[slot] = single(reach);
+                for (places, place) in leaf.center.iter_mut().zip(center) {
+                    places[slot] = single(place);
+                }
+                if let Some((axis, radius)) = rod(self.scene, solid.object) {
+                    cones.radius[slot] = single(radius);
+                    for (axes, axis) in cones.axis.iter_mut().zip(axis) {
+                        axes[slot] = single(axis);
+                    }
+                    leaf.cones = as_number(self.built.cones.len());
+                }
+                if let Some((planes, height)) = sheet::<S>(self.scene, solid.object) {
+                    let Triangle4 { corner, normal, inward, .. } = &mut triangles;
+                    for (all, plane) in [corner, normal].into_iter().chain(inward).zip(planes) {
+                        for (places, place) in all.iter_mut().zip(plane) {
+                            places[slot] = place;
+                        }
+                    }
+                    triangles.height[slot] = height;
+                    leaf.triangles = as_number(self.built.triangles.len());
+                }
+            }
+            if leaf.cones != Sphere4::NO_CONES {
+                self.built.cones.push(cones);
+            }
+            if leaf.triangles != Sphere4::NO_TRIANGLES {
+                self.built.triangles.push(triangles);
+            }
+            self.built.leaves.push(leaf);
+            self.runs.push((as_number(first), as_number(four.len())));
+        }
+        count.div_ceil(4)
+    }
+
+    /// Writes a tree as nodes of four, preorder, and says how many levels they have.
+    fn emit(&mut self, tree: &Tree, by_size: bool) -> usize {
+        let children = four(tree, by_size);
+        let number = self.built.nodes.len();
+        let mut node = Boxes::EMPTY;
+        for (slot, child) in children.iter().enumerate() {
+            let Bounds { low, high } = child.bounds();
+            for ([lows, highs], (&low, &high)) in node.planes.iter_mut().zip(low.iter().zip(high)) {
+                if slot < 4 {
+                    (lows[slot], highs[slot]) = (single(low), single(high));
+                }
+            }
+        }
+        self.built.nodes.push(node);
+        let mut kinds = [Child::EMPTY; 4];
+        for (kind, child) in kinds.iter_mut().zip(&children) {
+            if let Tree::Leaf(_, first, count) = child {
+                let leaf = self.built.leaves.len();
+                *kind = Child::run_of(as_number(leaf), as_number(self.leaf(*first, *count)));
+            }
+        }
+        let mut depth = 0;
+        for (kind, child) in kinds.iter_mut().zip(&children) {
+            if let Tree::Pair(..) = child {
+                *kind = Child::node(as_number(self.built.nodes.len()));
+                depth = depth.max(self.emit(child, by_size));
+            }
+        }
+        if let Some(node) = self.built.nodes.get_mut(number) {
+            node.children = kinds;
+        }
+        depth + 1
+    }
+}
+
+pub(super) fn as_number(index: usize) -> u32 {
+    u32::try_from(index).unwrap_or(u32::MAX)
+}

@@ -1,0 +1,13 @@
+//! Four rays side by side.
+
+pub(crate) mod closest;
+pub(crate) mod geometry;
+pub(crate) mod packet;
+pub(crate) mod surfaces;
+#[cfg(test)]
+#[allow(clippy::indexing_slicing, clippy::float_cmp, reason = "a test may panic, and is exact")]
+mod tests;
+pub(crate) mod trace;
+pub(crate) mod transmittance;
+mod triangle;
+pub(crate) mod vector;

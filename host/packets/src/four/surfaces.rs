@@ -1,0 +1,170 @@
+//! What four rays side by side see.
+
+use glam::{BVec4A, Vec3, Vec4};
+use rta_core::color::Rgb;
+use rta_core::material::Material;
+use rta_core::needs::Needs;
+use rta_core::scene::{Floor, Hit, Object};
+use rta_core::surface::Surface;
+use rta_core::world::{Seen, World};
+
+use super::closest::Closest4;
+use super::geometry::{Ray4, SurfacePoint4, leave, on_floor};
+use super::vector::{Vec3x4, lane, mask, one, one_mut, set};
+use crate::leaf::{Bits, index};
+
+/// What four rays see.
+pub(crate) struct Surfaces4<'a> {
+    /// Which see a surface: the others see the sky, or a lamp.
+    pub(crate) on: u32,
+    pub(crate) lights: [Rgb<f32>; 4],
+    /// The normals are turned towards the rays' origins.
+    pub(crate) spot: SurfacePoint4,
+    pub(crate) inside: BVec4A,
+    /// The sizes of the objects.
+    pub(crate) extent: Vec4,
+    colors: [Rgb<f32>; 4],
+    pub(crate) materials: [&'a Material<f32>; 4],
+}
+
+impl<'a> Surfaces4<'a> {
+    /// Nothing.
+    pub(crate) const NONE: Self = Self {
+        on: 0,
+        lights: [Rgb::BLACK; 4],
+        spot: SurfacePoint4::ZERO,
+        inside: BVec4A::FALSE,
+        extent: Vec4::ZERO,
+        colors: [Rgb::BLACK; 4],
+        materials: [&Material::Opaque; 4],
+    };
+
+    /// The surface that ray `k` sees.
+    #[inline(always)]
+    pub(crate) fn surface(&self, rays: &Ray4, k: usize) -> Surface<'a, f32> {
+        Surface {
+            point: self.spot.point.lane(k),
+            normal: self.spot.normal.lane(k),
+            incoming: rays.direction.lane(k),
+            distance: lane(&self.spot.distance, k),
+            inside: self.inside.test(k & 3),
+            extent: lane(&self.extent, k),
+            color: one(&self.colors, k),
+            material: one(&self.materials, k),
+        }
+    }
+
+    /// Returns the rays that leave the surfaces on the side of the normals `side`.
+    #[inline(always)]
+    pub(crate) fn left_by(&self, side: Vec3x4, direction: Vec3x4) -> Ray4 {
+        Ray4 { origin: leave(self.spot.point, side, direction, self.extent).0, direction }
+    }
+
+    /// Some rays see the floor.
+    #[inline(always)]
+    fn add_floor(&mut self, floor: &Floor<f32>, rays: &Ray4, t: Vec4, which: u32) {
+        let (point, odd) = on_floor(rays, t);
+        self.replace(which, SurfacePoint4 { distance: t, point, normal: Vec3x4::splat(Vec3::Z) }, Vec4::ZERO);
+        let [even_color, odd_color] = floor.colors;
+        for k in Bits(which) {
+            *one_mut(&mut self.colors, k) = if odd >> k & 1 == 1 { odd_color } else { even_color };
+            *one_mut(&mut self.materials, k) = &Material::Opaque;
+        }
+    }
+
+    /// Some rays see other surfaces.
+    #[inline(always)]
+    fn replace(&mut self, which: u32, spot: SurfacePoint4, extent: Vec4) {
+        self.on |= which;
+        let (which, old) = (mask(which), self.spot);
+        self.spot = SurfacePoint4 {
+            distance: Vec4::select(which, spot.distance, old.distance),
+            point: Vec3x4::select(which, spot.point, old.point),
+            normal: Vec3x4::select(which, spot.normal, old.normal),
+        };
+        self.extent = Vec4::select(which, extent, self.extent);
+    }
+
+    /// Ray `k` sees a surface, whose normal is not turned yet.
+    #[inline(always)]
+    fn add(&mut self, k: usize, surface: &Surface<'a, f32>) {
+        self.on |= 1 << k;
+        set(&mut self.spot.distance, k, surface.distance);
+        self.spot.point.set(k, surface.point);
+        self.spot.normal.set(k, if surface.inside { -surface.normal } else { surface.normal });
+        set(&mut self.extent, k, surface.extent);
+        *one_mut(&mut self.colors, k) = surface.color;
+        *one_mut(&mut self.materials, k) = surface.material;
+    }
+
+    /// Finds what four rays see where they meet something, or where not.
+    #[inline(always)]
+    pub(crate) fn see<N: Needs>(
+        &mut self,
+        world: &World<'a, f32>,
+        rays: &Ray4,
+        nearest: &Closest4,
+        there: u32,
+    ) {
+        let spots = self;
+        let (mut on_spheres, mut on_triangles, mut on_floor) = (0, 0, 0);
+        let near = nearest.distance.cmple(Vec4::splat(world.limits.floor_end)).bitmask();
+        for k in Bits(there) {
+            match one(&nearest.objects, k) {
+                Some(Object::Sphere(_)) if N::SPHERES => on_spheres |= 1 << k,
+                Some(Object::Triangle(i)) if N::TRIANGLES => {
+                    let curved =
+                        N::NORMALS && world.scene.triangles.get(index(i)).is_none_or(|t| t.normals.is_some());
+                    on_triangles |= u32::from(!curved) << k;
+                }
+                Some(Object::Floor) if N::FLOOR => on_floor |= near & 1 << k,
+                _ => {}
+            }
+        }
+        spots.on = on_spheres;
+        if on_spheres != 0
+            && let Some(any) = world.scene.spheres.first()
+        {
+            let spheres = nearest.objects.map(|object| match object {
+                Some(Object::Sphere(i)) => world.scene.spheres.get(index(i)).unwrap_or(any),
+                _ => any,
+            });
+            spots.spot = SurfacePoint4::on_spheres(spheres, on_spheres, rays, nearest.distance);
+            spots.colors = spheres.map(|sphere| sphere.color);
+            spots.materials = spheres.map(|sphere| &sphere.material);
+            let [a, b, c, d] = spheres.map(|sphere| sphere.radius);
+            spots.extent = Vec4::new(a, b, c, d);
+        }
+        if on_triangles != 0
+            && let Some(any) = world.scene.triangles.first()
+        {
+            let triangles = nearest.objects.map(|object| match object {
+                Some(Object::Triangle(i)) => world.scene.triangles.get(index(i)).unwrap_or(any),
+                _ => any,
+            });
+            let [a, b, c, d] = triangles.map(|triangle| triangle.extent);
+            spots.replace(on_triangles, SurfacePoint4::on_triangles(triangles, rays), Vec4::new(a, b, c, d));
+            for k in Bits(on_triangles) {
+                let triangle = one(&triangles, k);
+                *one_mut(&mut spots.colors, k) = triangle.color;
+                *one_mut(&mut spots.materials, k) = &triangle.material;
+            }
+        }
+        if on_floor != 0
+            && let Some(floor) = &world.scene.floor
+        {
+            spots.add_floor(floor, rays, nearest.distance, on_floor);
+        }
+        for k in Bits(there & !spots.on) {
+            let object = one(&nearest.objects, k);
+            let hit = object.map(|object| Hit { distance: lane(&nearest.distance, k), object });
+            match world.seen::<N>(&rays.lane(k), hit) {
+                Seen::Light(light) => *one_mut(&mut spots.lights, k) = light,
+                Seen::Surface(surface) => spots.add(k, &surface),
+            }
+        }
+        let normal = spots.spot.normal;
+        spots.inside = normal.dot(rays.direction).cmpgt(Vec4::ZERO);
+        spots.spot.normal = Vec3x4::select(spots.inside, -normal, normal);
+    }
+}

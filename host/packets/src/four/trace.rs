@@ -1,0 +1,219 @@
+//! Four samples at once: their ray trees are walked side by side, one ray of each at a time.
+//!
+//! Each sample's light adds up in the order of its own tree, so that it is the same, to the last bit, as of one sample after
+//! another.
+
+use glam::{Vec3, Vec4};
+use rta_core::color::Rgb;
+use rta_core::illumination::{Illumination, Weight};
+use rta_core::light::{Incident, Lamp};
+use rta_core::material::Glass;
+use rta_core::needs::Needs;
+use rta_core::trace::decision::{Branch, Start, branch, direct};
+use rta_core::trace::{Pending, Stack, Tracer};
+
+use super::geometry::{Ray4, leave, normalize, reflect, refract};
+use super::surfaces::Surfaces4;
+use super::vector::{Vec3x4, lane, one, one_mut, one_ref};
+use crate::cache::ShadowCache;
+use crate::leaf::Bits;
+use crate::packets::Packets;
+
+/// Glass for a ray that meets none.
+const NO_GLASS: Glass<f32> = Glass { ks: 0.0, kt: 0.0, eta: 1.0, denser: true };
+
+/// Rays that nobody has asked for.
+const NOWHERE: Ray4 = Ray4 { origin: Vec3x4::ZERO, direction: Vec3x4::ZERO };
+
+/// The ray trees of four samples.
+pub(crate) struct Trees4<'a, M: Illumination<f32>, const STACK: usize> {
+    pending: [Stack<f32, M::Weight, STACK>; 4],
+    surfaces: Surfaces4<'a>,
+    cache: ShadowCache,
+}
+
+type Traced<'a, M, N, const STACK: usize> = Tracer<'a, f32, M, N, STACK, &'a Packets>;
+
+impl<'a, M: Illumination<f32>, const STACK: usize> Trees4<'a, M, STACK> {
+    /// Nothing waits, and nothing is known.
+    pub(crate) fn new() -> Self {
+        let pending = core::array::from_fn(|_| Stack::new());
+        Self { pending, surfaces: Surfaces4::NONE, cache: ShadowCache::default() }
+    }
+
+    /// Returns the light that arrives at `origin` against the first `count` of four directions; the others are copies.
+    #[inline(always)]
+    pub(crate) fn radiance<N: Needs>(
+        &mut self,
+        tracer: &Traced<'a, M, N, STACK>,
+        origin: Vec3,
+        directions: Vec3x4,
+        count: u32,
+    ) -> [Rgb<f32>; 4] {
+        let (scene, model, depth, _) = tracer.parts();
+        let packets = *scene.accelerator();
+        let mut lights = [Rgb::BLACK; 4];
+        let mut current = [0, 1, 2, 3].map(|k| {
+            let start = Start { origin, direction: directions.lane(k) };
+            Pending { start, branch: Branch::<M::Weight>::eye::<f32>() }
+        });
+        let mut rays = Ray4 { origin: Vec3x4::splat(origin), direction: directions };
+        let (mut there, mut are_eyes) = ((1u32 << count) - 1, true);
+        loop {
+            let nearest = packets.closest_four::<N>(scene, &rays, (there, are_eyes), &mut self.cache);
+            are_eyes = false;
+            self.surfaces.see::<N>(scene, &rays, &nearest, there);
+            let (mut own, mut lit) = (self.surfaces.lights, 0);
+            for k in Bits(there & self.surfaces.on) {
+                let surface = self.surfaces.surface(&rays, k);
+                *one_mut(&mut own, k) = model.ambient::<N>(&surface, scene.scene.ambient);
+                lit |= u32::from(model.is_lit::<N>(&surface)) << k;
+            }
+            if N::LAMPS && lit != 0 {
+                let lamps = if N::SEVERAL_LAMPS { scene.scene.lamps.len() } else { 1 };
+                for (number, lamp) in scene.scene.lamps.iter().take(lamps).enumerate() {
+                    self.add_lamp(tracer, (number, lamp), &rays, lit, &mut own);
+                }
+            }
+            let mut branching = 0;
+            for k in Bits(there) {
+                let current = &one_ref(&current, k).branch;
+                let light = one_mut(&mut lights, k);
+                *light = light.plus(current.weight.filter(one(&own, k)));
+                branching |= u32::from(current.depth < depth) << k;
+            }
+            branching &= self.surfaces.on;
+            let mut going_on = 0;
+            if N::MIRROR && branching != 0 {
+                going_on = self.spawn(tracer, &rays, branching, &mut current);
+            }
+            for k in Bits(there & !going_on) {
+                match if N::MIRROR { one_mut(&mut self.pending, k).pop() } else { None } {
+                    Some(next) => *one_mut(&mut current, k) = next,
+                    None => there &= !(1 << k),
+                }
+            }
+            if there == 0 {
+                return lights;
+            }
+            rays = Ray4 {
+                origin: Vec3x4::new(current.each_ref().map(|ray| ray.start.origin)),
+                direction: Vec3x4::new(current.each_ref().map(|ray| ray.start.direction)),
+            };
+        }
+    }
+
+    /// Adds what four surfaces send back of a lamp, of those in `lit`.
+    #[inline(always)]
+    fn add_lamp<N: Needs>(
+        &mut self,
+        tracer: &Traced<'a, M, N, STACK>,
+        (number, lamp): (usize, &Lamp<f32>),
+        rays: &Ray4,
+        lit: u32,
+        lights: &mut [Rgb<f32>; 4],
+    ) {
+        let (scene, model, ..) = tracer.parts();
+        let spot = &self.surfaces.spot;
+        let (direction, distance, inverse, none) = normalize(Vec3x4::splat(lamp.position) - spot.point);
+        let cosine = spot.normal.dot(direction);
+        let behind = cosine.cmple(Vec4::ZERO);
+        let mut lit = lit & !none;
+        if !M::BOTH_SIDES {
+            // Darkness, as `direct` would say.
+            lit &= !behind.bitmask();
+        }
+        let mut unhidden = [Rgb::BLACK; 4];
+        let mut shadowed = 0;
+        for k in Bits(lit) {
+            let incident = Incident {
+                direction: direction.lane(k),
+                distance: lane(&distance, k),
+                inverse_distance: lane(&inverse, k),
+                cosine: lane(&cosine, k),
+                lamp,
+            };
+            let light = direct::<f32, M, N>(model, &self.surfaces.surface(rays, k), &incident);
+            // No register is negative.
+            if N::SHADOWS && light.r + light.g + light.b > 0.0 {
+                *one_mut(&mut unhidden, k) = light;
+                shadowed |= 1 << k;
+            } else {
+                let own = one_mut(lights, k);
+                *own = own.plus(light);
+            }
+        }
+        if shadowed != 0 {
+            let side = Vec3x4::select(behind, -spot.normal, spot.normal);
+            let (origin, used) = leave(spot.point, side, direction, self.surfaces.extent);
+            let shadows = (&Ray4 { origin, direction }, distance - used, shadowed);
+            let packets = *scene.accelerator();
+            let parts = packets.transmittance_four::<N>(scene, shadows, number, &mut self.cache);
+            for k in Bits(shadowed) {
+                let (own, part) = (one_mut(lights, k), one(&parts, k));
+                if part == 1.0 {
+                    *own = own.plus(one(&unhidden, k));
+                } else if part > 0.0 {
+                    *own = own.plus(one(&unhidden, k).map(|register| register * part));
+                }
+            }
+        }
+    }
+
+    /// Spawns the secondary rays of four surfaces, of those in `which`. The reflected ones take the place of their `parents`: a
+    /// bit for each that there is.
+    #[inline(always)]
+    fn spawn<N: Needs>(
+        &mut self,
+        tracer: &Traced<'a, M, N, STACK>,
+        rays: &Ray4,
+        which: u32,
+        parents: &mut [Pending<f32, M::Weight>; 4],
+    ) -> u32 {
+        let (_, model, _, cutoff) = tracer.parts();
+        let (incoming, surfaces) = (rays.direction, &self.surfaces);
+        let normal = surfaces.spot.normal;
+        let (mut refracted, mut total) = (NOWHERE, 0);
+        if N::GLASS && Bits(which).any(|k| one(&surfaces.materials, k).glass::<N>().is_some()) {
+            let glasses = surfaces.materials.map(|material| material.glass::<N>().unwrap_or(&NO_GLASS));
+            let (direction, none) = refract(incoming, normal, surfaces.inside, glasses);
+            (refracted, total) = (surfaces.left_by(-normal, direction), none);
+        }
+        // Computed for all four when the first of them asks.
+        let (mut reflected, mut is_reflected) = (NOWHERE, false);
+        let mut going_on = 0;
+        for k in Bits(which) {
+            let parent = one_mut(parents, k);
+            let [transmitted, mirrored] = branch::<f32, M, N>(
+                model,
+                &surfaces.surface(rays, k),
+                (&parent.branch, cutoff),
+                || {
+                    if !core::mem::replace(&mut is_reflected, true) {
+                        reflected = surfaces.left_by(normal, reflect(incoming, normal));
+                    }
+                    start(&reflected, k)
+                },
+                |_| (total >> k & 1 == 0).then(|| start(&refracted, k)),
+            );
+            if N::GLASS
+                && let Some((branch, start)) = transmitted
+            {
+                // There is room: at most one ray waits for each level, and there are no more than STACK.
+                let pushed = one_mut(&mut self.pending, k).push(Pending { start, branch });
+                debug_assert!(pushed.is_ok(), "the ray stack is one entry for each level of depth");
+            }
+            if let Some((branch, start)) = mirrored {
+                *parent = Pending { start, branch };
+                going_on |= 1 << k;
+            }
+        }
+        going_on
+    }
+}
+
+/// Where one of four rays starts and goes.
+#[inline(always)]
+fn start(rays: &Ray4, k: usize) -> Start<f32> {
+    Start { origin: rays.origin.lane(k), direction: rays.direction.lane(k) }
+}

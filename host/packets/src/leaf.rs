@@ -1,0 +1,199 @@
+//! What the search holds: boxes of four, and in the leaves four bounding spheres.
+
+use core::fmt;
+use core::num::NonZeroU32;
+
+use glam::Vec4;
+use rta_core::scene::Object;
+
+use crate::four::vector::{Vec3x4, pick};
+
+/// Levels of nodes that a hierarchy may have.
+pub(crate) const MAX_DEPTH: usize = 21;
+
+/// Coordinates are below this, so that no square overflows.
+pub(crate) const LARGEST: f32 = 1e17;
+
+/// What is in one of a node's boxes: nothing, another node, which comes later in the list, or a run of leaves.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Child(u32);
+
+impl Child {
+    /// Nothing.
+    pub(crate) const EMPTY: Self = Self(u32::MAX);
+    /// The most leaves in a run.
+    pub(crate) const MAX_COUNT: u32 = 14;
+    /// The most leaves in all.
+    pub(crate) const MAX_ITEMS: u32 = 1 << Self::FIRST_BITS;
+    const FIRST_BITS: u32 = 27;
+    const RUN: u32 = 1 << 31;
+
+    /// A node by its number, below 2^31; nothing where it is not.
+    pub(crate) const fn node(number: u32) -> Self {
+        if number < Self::RUN { Self(number) } else { Self::EMPTY }
+    }
+
+    /// A run of `count` leaves from leaf `first` on; nothing where there are too many.
+    pub(crate) const fn run_of(first: u32, count: u32) -> Self {
+        if first >= Self::MAX_ITEMS || count > Self::MAX_COUNT {
+            return Self::EMPTY;
+        }
+        Self(Self::RUN | count << Self::FIRST_BITS | first)
+    }
+
+    /// Returns the node's number; nothing of a run, or where nothing is.
+    #[inline]
+    pub(crate) fn number(self) -> Option<usize> {
+        (self.0 & Self::RUN == 0).then(|| index(self.0))
+    }
+
+    /// Returns the first of a run, and how many there are; where nothing is, a run beyond all lists.
+    #[inline]
+    pub(crate) fn run(self) -> (usize, usize) {
+        (index(self.0 & (Self::MAX_ITEMS - 1)), index(self.0 >> Self::FIRST_BITS & 15))
+    }
+}
+
+impl fmt::Debug for Child {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.number() {
+            Some(number) => write!(f, "node {number}"),
+            None => write!(f, "leaves {:?}", self.run()),
+        }
+    }
+}
+
+/// A node: four boxes.
+#[derive(Clone, Copy, Debug)]
+#[repr(align(64))]
+pub(crate) struct Boxes {
+    /// For x, y and z: the least of each box, and the greatest. Where there is no child, the least is infinite and the
+    /// greatest its negative.
+    pub(crate) planes: [[Vec4; 2]; 3],
+    /// What is in them.
+    pub(crate) children: [Child; 4],
+}
+
+impl Boxes {
+    /// No boxes.
+    pub(crate) const EMPTY: Self =
+        Self { planes: [[Vec4::INFINITY, Vec4::NEG_INFINITY]; 3], children: [Child::EMPTY; 4] };
+}
+
+/// A leaf: four bounding spheres. That of a sphere or a lamp is the thing itself: in `f32` it is met by these numbers.
+#[derive(Clone, Copy, Debug)]
+#[repr(align(64))]
+pub(crate) struct Sphere4 {
+    /// x, y and z of their centres.
+    pub(crate) center: [Vec4; 3],
+    /// Radii; of none it is negative and infinite.
+    pub(crate) radius: Vec4,
+    /// What is in them; the floor, which is in no leaf, where there is nothing.
+    pub(crate) items: [Object; 4],
+    /// Where there are cones among them, the number of their [`Cone4`]; else [`Sphere4::NO_CONES`].
+    pub(crate) cones: u32,
+    /// Where there are triangles among them, the number of their [`Triangle4`]; else [`Sphere4::NO_TRIANGLES`].
+    pub(crate) triangles: u32,
+}
+
+impl Sphere4 {
+    /// No cones.
+    pub(crate) const NO_CONES: u32 = u32::MAX;
+    /// No triangles.
+    pub(crate) const NO_TRIANGLES: u32 = u32::MAX;
+    /// No spheres.
+    pub(crate) const EMPTY: Self = Self {
+        center: [Vec4::ZERO; 3],
+        radius: Vec4::NEG_INFINITY,
+        items: [Object::Floor; 4],
+        cones: Self::NO_CONES,
+        triangles: Self::NO_TRIANGLES,
+    };
+
+    /// Returns centre and radius of one bounding sphere, four times.
+    #[inline(always)]
+    pub(crate) fn sphere(&self, slot: usize) -> (Vec3x4, Vec4) {
+        (Vec3x4(self.center.map(|four| pick(four, slot))), pick(self.radius, slot))
+    }
+
+    /// Returns the numbers of the spheres that are there.
+    #[inline(always)]
+    pub(crate) fn slots(&self) -> Bits {
+        Bits(self.radius.cmpge(Vec4::ZERO).bitmask())
+    }
+}
+
+/// Endless cylinders about the cones of a leaf: their axes go through its centres.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Cone4 {
+    /// x, y and z of the unit vectors along their axes; of what is no cone, 0.
+    pub(crate) axis: [Vec4; 3],
+    /// Radii.
+    pub(crate) radius: Vec4,
+}
+
+impl Cone4 {
+    /// About everything.
+    pub(crate) const EMPTY: Self = Self { axis: [Vec4::ZERO; 3], radius: Vec4::ZERO };
+}
+
+/// The planes of the triangles of a leaf, as the picture has them; of what is no triangle, NaN.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Triangle4 {
+    /// x, y and z of their corners.
+    pub(crate) corner: [Vec4; 3],
+    /// x, y and z of their normals.
+    pub(crate) normal: [Vec4; 3],
+    /// x, y and z of what of [`Triangle`](rta_core::shape::Triangle) has this name.
+    pub(crate) inward: [[Vec4; 3]; 3],
+    /// How far their corners are from the opposite edges.
+    pub(crate) height: Vec4,
+}
+
+impl Triangle4 {
+    /// No planes.
+    pub(crate) const EMPTY: Self = Self {
+        corner: [Vec4::NAN; 3],
+        normal: [Vec4::NAN; 3],
+        inward: [[Vec4::NAN; 3]; 3],
+        height: Vec4::NAN,
+    };
+}
+
+/// Four vertical cylinders, seen from above.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Column4 {
+    /// x and y of their axes.
+    pub(crate) center: [Vec4; 2],
+    /// Radii; of none it is negative and infinite.
+    pub(crate) radius: Vec4,
+    /// Which they are, in their list.
+    pub(crate) cylinders: [u32; 4],
+}
+
+impl Column4 {
+    /// No cylinders.
+    pub(crate) const EMPTY: Self =
+        Self { center: [Vec4::ZERO; 2], radius: Vec4::NEG_INFINITY, cylinders: [u32::MAX; 4] };
+}
+
+/// The numbers of the bits that are 1, of the lowest four.
+#[derive(Clone, Copy)]
+pub(crate) struct Bits(pub(crate) u32);
+
+impl Iterator for Bits {
+    type Item = usize;
+
+    #[inline]
+    fn next(&mut self) -> Option<usize> {
+        let lowest = NonZeroU32::new(self.0)?.trailing_zeros();
+        self.0 &= self.0.wrapping_sub(1);
+        Some(index(lowest & 3))
+    }
+}
+
+/// A number as an index; one that is too large for the machine lies beyond all lists.
+#[inline]
+pub(crate) fn index(number: u32) -> usize {
+    usize::try_from(number).unwrap_or(usize::MAX)
+}

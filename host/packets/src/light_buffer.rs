@@ -1,0 +1,238 @@
+//! Direction cubes: what lies in which direction from the eye, and from each lamp.
+//!
+//! Rays that start at the eye or end at a lamp are most of all rays, and do not need the hierarchy: the light buffer of
+//! E. Haines and D. Greenberg ("The Light Buffer: A Shadow-Testing Accelerator", IEEE CG&A 6, 1986), which serves the eye as
+//! well. Six faces of a cube about the point are cut into cells, and each cell has the leaves that can be seen through it.
+
+use glam::Vec4;
+
+use crate::leaf::index;
+use crate::rays::RayF32;
+
+/// A leaf that is seen through a cell, and how much farther away it is than [`LightBuffer::nearest`], with 7 binary digits.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Candidate(u32);
+
+impl Candidate {
+    /// More leaves than a cell has: the hierarchy knows them.
+    pub(crate) const REST: u32 = (1 << Self::PACK_BITS) - 1;
+    const PACK_BITS: u32 = 18;
+
+    /// Of a distance, 0 or more, and the number of a leaf, below [`Candidate::REST`], or that.
+    #[must_use]
+    pub(crate) fn new(near: f32, leaf: u32) -> Self {
+        // There is no sign.
+        Self(near.to_bits() << 1 & !Self::REST | leaf & Self::REST)
+    }
+
+    /// What it has is not nearer than that, beyond [`LightBuffer::nearest`].
+    #[inline]
+    #[must_use]
+    pub(crate) fn near(self) -> f32 {
+        f32::from_bits((self.0 & !Self::REST) >> 1)
+    }
+
+    /// The number of the leaf, or [`Candidate::REST`].
+    #[inline]
+    #[must_use]
+    pub(crate) const fn leaf(self) -> u32 {
+        self.0 & Self::REST
+    }
+}
+
+/// A face: cells in rows. Of each vector, the component of the face's own axis and the last are those of one cell.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Face {
+    /// Where the middle of the first cell is, at the distance 1.
+    pub(crate) low: Vec4,
+    /// How many cells are as long as 1.
+    pub(crate) scale: Vec4,
+    /// How many cells there are, less a half.
+    pub(crate) end: Vec4,
+    /// How many cells the next one along an axis is away.
+    pub(crate) stride: Vec4,
+    /// The number of the first cell.
+    pub(crate) first: u32,
+    /// That of the cell for what lies beside the others.
+    pub(crate) beside: u32,
+}
+
+impl Face {
+    /// Nothing is seen through it.
+    pub(crate) const EMPTY: Self = Self {
+        low: Vec4::ZERO,
+        scale: Vec4::ZERO,
+        end: Vec4::splat(-1.0),
+        stride: Vec4::ZERO,
+        first: 0,
+        beside: u32::MAX,
+    };
+}
+
+/// What lies in which direction from a point.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct LightBuffer {
+    /// x, y and z of the point; the last is [`Packets::size`].
+    pub(crate) center: Vec4,
+    /// How far a ray may pass by the point. What the cells have is larger by twice as much, which is also for the ray's own margin
+    /// and for what these numbers are rounded by.
+    pub(crate) slack: f32,
+    /// The largest margin of a ray that it serves.
+    pub(crate) margin: f32,
+    /// How far from the point the nearest thing is.
+    pub(crate) nearest: f32,
+    /// x, -x, y, -y, z, -z.
+    pub(crate) faces: [Face; 6],
+}
+
+/// Added and taken away again, it rounds what is below 2^22 in size.
+const ROUND: Vec4 = Vec4::splat(12_582_912.0);
+/// Added to a whole number below 2^23, that is the last digits of the sum.
+const WHOLE: f32 = 8_388_608.0;
+const DIGITS: u32 = 0x7f_ffff;
+
+impl LightBuffer {
+    /// One that serves no ray.
+    pub(crate) const NONE: Self =
+        Self { center: Vec4::ZERO, slack: 0.0, margin: -1.0, nearest: 0.0, faces: [Face::EMPTY; 6] };
+
+    /// The number of the cell that a direction leads through.
+    #[inline(always)]
+    fn cell(&self, direction: Vec4) -> Option<usize> {
+        // Without a branch, as the axis is as good as random from one lamp to the next.
+        let size = direction.abs();
+        let most = size.max_element();
+        let axis = index(size.cmpge(Vec4::splat(most)).bitmask().trailing_zeros() & 3);
+        let side = direction.is_negative_bitmask() as usize >> axis & 1;
+        let face = self.faces.get(2 * axis + side)?;
+        let place = (direction * Vec4::splat(most.recip()) - face.low) * face.scale;
+        if (place.cmpge(Vec4::splat(-0.5)) & place.cmplt(face.end)).bitmask() != 15 {
+            return Some(index(face.beside));
+        }
+        let place = (place + ROUND) - ROUND;
+        let cell = (place.dot(face.stride) + WHOLE).to_bits() & DIGITS;
+        Some(index(face.first) + index(cell))
+    }
+
+    /// The numbers of the cells that four directions lead through; where there is none, one beyond all.
+    #[inline(always)]
+    pub(crate) fn cells(&self, direction: [Vec4; 3]) -> [usize; 4] {
+        let [x, y, z] = direction;
+        let (ax, ay, az) = (x.abs(), y.abs(), z.abs());
+        let most = ax.max(ay).max(az);
+        let (along_x, along_y) = (ax.cmpge(most).bitmask(), ay.cmpge(most).bitmask());
+        let face = match (along_x, along_y) {
+            (15, _) => one_of(self.faces.first_chunk(), x),
+            (0, 15) => one_of(self.faces.get(2..).and_then(|rest| rest.first_chunk()), y),
+            (0, 0) => one_of(self.faces.last_chunk(), z),
+            _ => None,
+        };
+        let Some(face) = face else {
+            let lane = |k: usize| {
+                let at = |four: Vec4| four.as_ref().get(k).copied().unwrap_or_default();
+                self.cell(Vec4::new(at(x), at(y), at(z), 0.0)).unwrap_or(usize::MAX)
+            };
+            return [lane(0), lane(1), lane(2), lane(3)];
+        };
+        let (inverse, mut cells, mut are_there) = (most.recip(), Vec4::splat(WHOLE), 15);
+        for (axis, direction) in direction.into_iter().enumerate() {
+            let at = |four: Vec4| Vec4::splat(four.as_ref().get(axis).copied().unwrap_or_default());
+            let place = (direction * inverse - at(face.low)) * at(face.scale);
+            are_there &= (place.cmpge(Vec4::splat(-0.5)) & place.cmplt(at(face.end))).bitmask();
+            cells += ((place + ROUND) - ROUND) * at(face.stride);
+        }
+        let mut lane = 0;
+        cells.to_array().map(|cell| {
+            let is_there = are_there >> lane & 1 == 1;
+            lane += 1;
+            if is_there { index(face.first) + index(cell.to_bits() & DIGITS) } else { index(face.beside) }
+        })
+    }
+}
+
+/// The face on the side of four numbers; nothing where they are not on one side.
+#[inline(always)]
+fn one_of(faces: Option<&[Face; 2]>, along: Vec4) -> Option<&Face> {
+    let [upwards, downwards] = faces?;
+    match along.is_negative_bitmask() {
+        0 => Some(upwards),
+        15 => Some(downwards),
+        _ => None,
+    }
+}
+
+/// What a ray may meet that goes by the point of a cube, near things first.
+pub(crate) struct Candidates<'a> {
+    pub(crate) entries: &'a [Candidate],
+    nearest: f32,
+}
+
+impl Candidates<'_> {
+    /// What an entry has is not nearer to the point than that.
+    #[inline(always)]
+    pub(crate) fn near(&self, entry: Candidate) -> f32 {
+        entry.near() + self.nearest
+    }
+}
+
+/// The light buffers of a scene: of the eye, and of each lamp.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct LightBuffers {
+    /// The eye's first; or none at all.
+    pub(crate) buffers: Vec<LightBuffer>,
+    /// The first candidate of each cell of the buffers, and where those of the last cell end.
+    pub(crate) cells: Vec<u32>,
+    /// The leaves that the cells have.
+    pub(crate) candidates: Vec<Candidate>,
+}
+
+impl LightBuffers {
+    /// What a ray may meet that starts at the eye; nothing if it does not.
+    #[inline(always)]
+    pub(crate) fn eye_sees(&self, ray: &RayF32) -> Option<Candidates<'_>> {
+        let cube = self.buffers.first()?;
+        let beside = cube.center - ray.origin;
+        let is_there = beside.length_squared() <= cube.slack * cube.slack && ray.margin <= cube.margin;
+        is_there.then(|| self.seen(cube, ray.direction))
+    }
+
+    /// What a ray may meet nearer than `t_max` that ends at a lamp, by its number, and how far away it starts; nothing if it does not
+    /// end there, or if that is too much.
+    #[inline(always)]
+    pub(crate) fn lamp_sees(&self, ray: &RayF32, t_max: f32, lamp: usize) -> Option<(Candidates<'_>, f32)> {
+        let cube = self.buffers.get(lamp + 1)?;
+        let way = cube.center - ray.origin;
+        let along = way.dot(ray.direction);
+        let beside = way - ray.direction * along;
+        let far = along + cube.slack;
+        let is_there =
+            beside.length_squared() <= cube.slack * cube.slack && ray.margin <= cube.margin && t_max <= far;
+        if !is_there {
+            return None;
+        }
+        let seen = self.seen(cube, -ray.direction);
+        match seen.entries.last() {
+            Some(&rest) if rest.leaf() == Candidate::REST && seen.near(rest) <= far => None,
+            _ => Some((seen, far)),
+        }
+    }
+
+    #[inline(always)]
+    fn seen(&self, cube: &LightBuffer, direction: Vec4) -> Candidates<'_> {
+        let run = cube.cell(direction).and_then(|cell| self.run(cell));
+        Candidates { entries: run.unwrap_or_default(), nearest: cube.nearest }
+    }
+
+    /// What a cell of a cube has, both by their numbers; the eye's cube is the first.
+    #[inline(always)]
+    pub(crate) fn in_cell(&self, cube: usize, cell: usize) -> Candidates<'_> {
+        let nearest = self.buffers.get(cube).map_or(0.0, |cube| cube.nearest);
+        Candidates { entries: self.run(cell).unwrap_or_default(), nearest }
+    }
+
+    #[inline(always)]
+    fn run(&self, cell: usize) -> Option<&[Candidate]> {
+        let (first, end) = (*self.cells.get(cell)?, *self.cells.get(cell + 1)?);
+        self.candidates.get(index(first)..index(end))
+    }
+}

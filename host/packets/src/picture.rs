@@ -1,0 +1,228 @@
+//! A picture about to be traced: a scene in one number format and with one illumination model, ready for any of its rows.
+//!
+//! The tracers of all formats and models are instantiated here, in one place, so that the crates above need not compile them.
+
+use core::fmt;
+
+use rta_core::Error;
+use rta_core::color::Rgb;
+use rta_core::illumination::Illumination;
+use rta_core::needs::Everything;
+use rta_core::range::Admitted;
+use rta_core::raster::Raster;
+use rta_core::raster::sampling::{Center, Places, Sampling};
+use rta_core::scalar::Unit;
+use rta_core::scene::Limits;
+use rta_core::trace::{Observer, Tracer};
+use rta_core::{Q16, Q20, Scalar};
+use rta_scenes::description::Description;
+use rta_scenes::in_model;
+use rta_scenes::model::Model;
+use rta_scenes::narrow::{Narrow, NarrowError, Narrowed, narrow};
+
+use crate::cache::ShadowCache;
+use crate::packets::Packets;
+use crate::rows::Rows;
+
+/// The deepest recursion: the capacity of the tracer's stack of pending rays.
+pub const MAX_DEPTH: u32 = 32;
+
+/// How a picture is traced, whatever its number format and model.
+#[derive(Clone, Copy, Debug)]
+pub struct Setup {
+    /// Width and height in pixels.
+    pub raster: Raster,
+    /// Width over height of the screen (not of the raster).
+    pub aspect: f64,
+    /// Recursion depth, 0 to [`MAX_DEPTH`].
+    pub depth: u32,
+    /// Numerator and denominator of the part of its light that a ray must bring into the pixel to be traced, 0 to 1: every
+    /// number format rounds it for itself.
+    pub cutoff: (i64, i64),
+    /// Samples of a pixel. The light of one in its middle is kept as it is; of several it is the mean of displayable light.
+    pub sampling: Sampling,
+}
+
+/// Why a scene cannot be drawn with some settings.
+#[derive(Clone, Debug, PartialEq)]
+pub enum PictureError {
+    /// A number of the scene does not fit the number format.
+    Narrow(NarrowError),
+    /// Raster, depth, or what the core's own range check finds.
+    Core(Error),
+}
+
+impl fmt::Display for PictureError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Narrow(error) => error.fmt(f),
+            Self::Core(error) => error.fmt(f),
+        }
+    }
+}
+
+impl core::error::Error for PictureError {}
+
+impl From<NarrowError> for PictureError {
+    fn from(error: NarrowError) -> Self {
+        Self::Narrow(error)
+    }
+}
+
+impl From<Error> for PictureError {
+    fn from(error: Error) -> Self {
+        Self::Core(error)
+    }
+}
+
+/// What takes the light of a row of pixels.
+pub type PutRow<'a, S> = &'a mut dyn FnMut(&[Rgb<<S as Scalar>::Light>]);
+
+/// A picture in the number format `S`. Rows may be asked for in any order, from any number of threads.
+pub trait Picture<S: Narrow>: Send + Sync {
+    /// Calls `put` with the light of the pixels of each row from `first` to before `end`, as far as the raster has them, from
+    /// top to bottom.
+    fn rows(&self, first: u32, end: u32, put: PutRow<S>);
+
+    /// Returns the light of one sample on the image plane, `right` and `up` from -1/2 to 1/2; `observer` is told of every ray.
+    /// `cache` is kept from sample to sample.
+    fn sample(
+        &self,
+        right: S::Unit,
+        up: S::Unit,
+        cache: &mut ShadowCache,
+        observer: &mut dyn Observer<S>,
+    ) -> Rgb<S::Light>;
+
+    /// How the picture is traced.
+    fn setup(&self) -> &Setup;
+
+    /// The scene and the eye.
+    fn scene(&self) -> &Narrowed<S>;
+
+    /// Traces the pixels of the rows from `first` to before `end`; `observer` is told of every ray.
+    fn observed_rows(&self, first: u32, end: u32, observer: &mut dyn Observer<S>) {
+        let Setup { raster, sampling, .. } = *self.setup();
+        let mut cache = ShadowCache::default();
+        for y in first..end.min(raster.height()) {
+            let row = Places::row::<S::Unit>(&sampling, raster, y);
+            for x in 0..raster.width() {
+                for sample in 0..sampling.samples() {
+                    let (right, up) = sampling.place(raster, row, x, sample);
+                    self.sample(right, up, &mut cache, observer);
+                }
+            }
+        }
+    }
+}
+
+/// A number format that pictures can be traced in.
+pub trait Format: Rows + Narrow {
+    /// Makes a scene ready.
+    ///
+    /// # Errors
+    /// Whatever keeps it from being drawn with these settings; once there is a picture, nothing does.
+    fn picture(
+        scene: &Description,
+        model: Model,
+        setup: &Setup,
+    ) -> Result<Box<dyn Picture<Self>>, PictureError>;
+}
+
+macro_rules! formats {
+    ($($f:ty)*) => {
+        $(impl Format for $f {
+            fn picture(
+                scene: &Description,
+                model: Model,
+                setup: &Setup,
+            ) -> Result<Box<dyn Picture<Self>>, PictureError> {
+                let ready = Ready::<$f>::new(scene, setup)?;
+                in_model!(model, model => Ok(Box::new(Modelled { ready, model })))
+            }
+        })*
+    };
+}
+
+formats!(f32 f64 Q16 Q20);
+
+/// A scene made ready in a number format.
+struct Ready<S: Narrow> {
+    scene: Narrowed<S>,
+    packets: Packets,
+    limits: Limits<S>,
+    setup: Setup,
+}
+
+impl<S: Format> Ready<S> {
+    fn new(scene: &Description, setup: &Setup) -> Result<Self, PictureError> {
+        if setup.depth > MAX_DEPTH {
+            return Err(Error::Depth { depth: setup.depth, capacity: MAX_DEPTH as usize }.into());
+        }
+        // Before the lists: what it takes to build is gone when they come.
+        let packets = Packets::build::<S>(scene);
+        let narrowed = narrow::<S>(scene, setup.aspect)?;
+        let limits = narrowed.scene().admit(&narrowed.camera).map_err(Error::from)?.limits;
+        Ok(Self { scene: narrowed, packets, limits, setup: *setup })
+    }
+}
+
+struct Modelled<S: Narrow, M> {
+    ready: Ready<S>,
+    model: M,
+}
+
+type Traced<'a, S, M> = Tracer<'a, S, M, Everything, { MAX_DEPTH as usize }, &'a Packets>;
+
+impl<S: Format, M: Illumination<S> + Copy> Modelled<S, M> {
+    fn tracer(&self) -> Option<Traced<'_, S, M>> {
+        let Ready { scene, packets, limits, setup } = &self.ready;
+        let cutoff = S::Unit::ratio(setup.cutoff.0, setup.cutoff.1);
+        // Proved once, when the picture was made ready.
+        let admitted = Admitted::baked(scene.scene(), *limits, packets);
+        let tracer = Tracer::new(admitted, self.model, setup.depth);
+        tracer.ok().map(|tracer: Traced<'_, S, M>| tracer.with_cutoff(cutoff))
+    }
+}
+
+impl<S: Format, M: Illumination<S> + Copy> Picture<S> for Modelled<S, M> {
+    fn rows(&self, first: u32, end: u32, put: PutRow<S>) {
+        // There is a tracer: the depth was checked when the picture was made ready.
+        let Some(tracer) = self.tracer() else { return };
+        let Ready { scene, setup: Setup { raster, sampling, .. }, .. } = &self.ready;
+        let width = raster.width() as usize;
+        let mut row = Vec::with_capacity(width);
+        let collect = |light| {
+            row.push(light);
+            if row.len() == width {
+                put(&row);
+                row.clear();
+            }
+        };
+        if *sampling == Sampling::CENTER {
+            S::trace_rows(&tracer, &scene.camera, (*raster, Center), (first, end), collect);
+        } else {
+            S::trace_rows(&tracer, &scene.camera, (*raster, *sampling), (first, end), collect);
+        }
+    }
+
+    fn sample(
+        &self,
+        right: S::Unit,
+        up: S::Unit,
+        cache: &mut ShadowCache,
+        observer: &mut dyn Observer<S>,
+    ) -> Rgb<S::Light> {
+        let Some(tracer) = self.tracer() else { return Rgb::BLACK };
+        let camera = &self.ready.scene.camera;
+        tracer.trace(camera.eye, camera.direction(right, up), cache, observer)
+    }
+
+    fn setup(&self) -> &Setup {
+        &self.ready.setup
+    }
+
+    fn scene(&self) -> &Narrowed<S> {
+        &self.ready.scene
+    }
+}

@@ -1,0 +1,76 @@
+//! Wherever eye and lamps are, light buffers hide nothing, and neither do rays that are searched for four by four: pictures of
+//! random scenes are, to the last bit of light, those that are traced one ray and one object after the other.
+
+use rta_core::accelerator::Lists;
+use rta_core::color::Rgb;
+use rta_core::illumination::Illumination;
+use rta_core::needs::Everything;
+use rta_core::raster::sampling::{Center, Places, Sampling};
+use rta_core::raster::{Pixels, Raster};
+use rta_core::trace::Tracer;
+use rta_core::{Q16, Q20};
+use rta_packets::ShadowCache;
+use rta_packets::picture::{Format, Setup};
+use rta_scenes::in_model;
+use rta_scenes::model::Model;
+use rta_scenes::narrow::{Narrowed, narrow};
+
+use crate::scenes::clusters;
+
+/// Scenes of each number format.
+const SCENES: u64 = 60;
+/// Pixels of a side: not all rays of a row have three others beside them.
+const SIDE: u32 = 46;
+/// Recursion depth.
+const DEPTH: u32 = 3;
+
+fn raster() -> Raster {
+    Raster::new(SIDE, SIDE).expect("a raster")
+}
+
+/// Returns the picture, traced one ray and one object after the other.
+fn listed<S: Format, M: Illumination<S>>(scene: &Narrowed<S>, model: M) -> Vec<Rgb<S::Light>> {
+    let admitted = scene.scene().admit_with(&scene.camera, Lists).expect("it fits");
+    let tracer: Tracer<S, _, Everything, 32> = Tracer::new(admitted, model, DEPTH).expect("a depth");
+    Pixels::new(&tracer, &scene.camera, raster()).collect()
+}
+
+fn compare<S: Format>() {
+    let mut drawn = 0;
+    for seed in 0..SCENES {
+        let scene = clusters(seed);
+        let setup =
+            Setup { raster: raster(), aspect: 1.0, depth: DEPTH, cutoff: (0, 1), sampling: Sampling::CENTER };
+        let model = Model::ALL.iter().cycle().nth(usize::try_from(seed / 3).expect("small"));
+        let model = *model.expect("there are models");
+        let Ok(picture) = S::picture(&scene, model, &setup) else { continue };
+        let narrowed = narrow::<S>(&scene, 1.0).expect("it has a picture");
+        let right = in_model!(model, model => listed::<S, _>(&narrowed, model));
+        let (mut single, mut rows) = (Vec::new(), Vec::new());
+        let mut cache = ShadowCache::default();
+        for y in 0..SIDE {
+            let row = Center.row::<S::Unit>(raster(), y);
+            for x in 0..SIDE {
+                let (right, up) = Center.place(raster(), row, x, 0);
+                single.push(picture.sample(right, up, &mut cache, &mut ()));
+            }
+        }
+        picture.rows(0, SIDE, &mut |row| rows.extend_from_slice(row));
+        assert!(single == right, "scene {seed} in {}", S::NAME);
+        assert!(rows == right, "scene {seed} in {}, as whole rows", S::NAME);
+        drawn += 1;
+    }
+    assert!(drawn > 30, "only {drawn} scenes fit {}", S::NAME);
+}
+
+#[test]
+fn pictures_are_the_same_in_floating_point() {
+    compare::<f32>();
+    compare::<f64>();
+}
+
+#[test]
+fn pictures_are_the_same_in_fixed_point() {
+    compare::<Q16>();
+    compare::<Q20>();
+}

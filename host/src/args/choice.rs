@@ -1,0 +1,34 @@
+//! Number formats and illumination models as choices of a command line.
+
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
+
+use crate::engine::{Format, Model};
+
+/// A parser of the name of a number format.
+pub(super) fn format() -> impl TypedValueParser<Value = Format> {
+    one_of(Format::ALL, Format::name, Format::about)
+}
+
+/// A parser of the name of a number format that is put beside `f64`.
+pub(super) fn tested_format() -> impl TypedValueParser<Value = Format> {
+    PossibleValuesParser::new(["f32", "q16", "q20"]).try_map(|text| named(Format::ALL, Format::name, &text))
+}
+
+/// A parser of the name of an illumination model.
+pub(super) fn model() -> impl TypedValueParser<Value = Model> {
+    one_of(Model::ALL, Model::name, Model::about)
+}
+
+fn one_of<T: Copy + Send + Sync + 'static>(
+    all: &'static [T],
+    name: fn(T) -> &'static str,
+    about: fn(T) -> &'static str,
+) -> impl TypedValueParser<Value = T> {
+    let values = all.iter().map(|&one| PossibleValue::new(name(one)).help(about(one)));
+    PossibleValuesParser::new(values).try_map(move |text| named(all, name, &text))
+}
+
+/// The choice of that name. The parsers let only names pass.
+fn named<T: Copy>(all: &[T], name: fn(T) -> &'static str, text: &str) -> Result<T, &'static str> {
+    all.iter().copied().find(|&one| name(one) == text).ok_or("no such name")
+}

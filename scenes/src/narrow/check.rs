@@ -1,0 +1,92 @@
+//! Numbers of a description as those of a format, or an error that names the thing.
+
+use rta_core::color::Rgb;
+use rta_core::material::{Finish, Glass, Material};
+use rta_core::vector::{Vec3, Vector};
+
+use super::{Narrow, NarrowError};
+use crate::description::Surface;
+
+/// What an error says of the thing that is being narrowed.
+pub(super) struct Checker<S> {
+    object: String,
+    format: core::marker::PhantomData<S>,
+}
+
+impl<S: Narrow> Checker<S> {
+    pub(super) fn new(kind: &str, index: usize, line: u32) -> Self {
+        let place = if line > 0 { format!(" (line {line})") } else { String::new() };
+        Self::named(format!("{kind} {}{place}", index + 1))
+    }
+
+    pub(super) fn named(object: impl Into<String>) -> Self {
+        Self { object: object.into(), format: core::marker::PhantomData }
+    }
+
+    pub(super) fn error(&self, quantity: &'static str, value: f64, limit: f64) -> NarrowError {
+        NarrowError { object: self.object.clone(), quantity, value, limit, format: S::NAME }
+    }
+
+    pub(super) fn at_most(&self, quantity: &'static str, value: f64, limit: f64) -> Result<f64, NarrowError> {
+        if value.abs() <= limit { Ok(value) } else { Err(self.error(quantity, value, limit)) }
+    }
+
+    /// A place of something that reaches `radius` about it.
+    pub(super) fn place(&self, place: [f64; 3], radius: f64) -> Result<Vec3<S>, NarrowError> {
+        self.at_most("the radius", radius, S::largest())?;
+        let names = ["x (with the radius)", "y (with the radius)", "z (with the radius)"];
+        let bare = ["x", "y", "z"];
+        for (axis, &c) in place.iter().enumerate() {
+            let quantity = if radius > 0.0 { names.get(axis) } else { bare.get(axis) };
+            self.at_most(quantity.copied().unwrap_or("position"), c.abs() + radius, S::largest())?;
+        }
+        let [x, y, z] = place.map(S::length);
+        Ok(Vector::new(x, y, z))
+    }
+
+    pub(super) fn radius(&self, radius: f64) -> Result<S, NarrowError> {
+        if radius < S::SMALLEST_RADIUS {
+            return Err(self.error("the radius", radius, S::SMALLEST_RADIUS));
+        }
+        self.at_most("the radius", radius, S::largest()).map(S::length)
+    }
+
+    pub(super) fn color(&self, quantity: &'static str, color: [f64; 3]) -> Result<Rgb<S::Unit>, NarrowError> {
+        for register in color {
+            self.at_most(quantity, register, S::LARGEST_COLOR)?;
+        }
+        let [r, g, b] = color.map(S::unit);
+        Ok(Rgb::new(r, g, b))
+    }
+
+    pub(super) fn material(&self, surface: &Surface) -> Result<Material<S>, NarrowError> {
+        Ok(match *surface {
+            Surface::Opaque => Material::Opaque,
+            Surface::Shiny => Material::Shiny,
+            Surface::Mirror => Material::Mirror,
+            Surface::Transparent { ks, kt, ior } => Material::Transparent(glass::<S>(ks, kt, ior)),
+            Surface::Finish { kd, ks, exponent, kt, ior } => {
+                for coefficient in [kd, ks, kt] {
+                    self.at_most("a coefficient", coefficient, S::LARGEST_COLOR)?;
+                }
+                // What is sharper than that is a point in every format.
+                #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // clamped
+                let exponent = exponent.round().clamp(0.0, 1e9) as u32;
+                Material::Finish(Finish { kd: S::unit(kd), exponent, glass: glass::<S>(ks, kt, ior) })
+            }
+        })
+    }
+
+    pub(super) fn light(&self, color: [f64; 3]) -> Result<Rgb<S::Light>, NarrowError> {
+        for register in color {
+            self.at_most("a register", register, S::LARGEST_LIGHT)?;
+        }
+        let [r, g, b] = color.map(S::light);
+        Ok(Rgb::new(r, g, b))
+    }
+}
+
+fn glass<S: Narrow>(ks: f64, kt: f64, ior: f64) -> Glass<S> {
+    let eta = if ior > 1.0 { 1.0 / ior } else { ior };
+    Glass { ks: S::unit(ks), kt: S::unit(kt), eta: S::unit(eta), denser: ior >= 1.0 }
+}

@@ -1,0 +1,29 @@
+//! Why a number format cannot hold a scene.
+
+use core::fmt;
+
+/// Something in a scene that a number format cannot hold.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct NarrowError {
+    /// The thing, with its line in the file if it has one: `sphere 3 (line 12)`.
+    pub object: String,
+    /// What of it does not fit: `x and radius`.
+    pub quantity: &'static str,
+    /// Its size.
+    pub value: f64,
+    /// What it may be at most, or at least where it is too small.
+    pub limit: f64,
+    /// The number format.
+    pub format: &'static str,
+}
+
+impl fmt::Display for NarrowError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { object, quantity, value, limit, format } = self;
+        let side = if value.abs() < *limit { "below the smallest" } else { "beyond the largest" };
+        write!(f, "{object} is out of {format}'s range: {quantity} {value}, {side} {limit}")
+    }
+}
+
+impl core::error::Error for NarrowError {}
