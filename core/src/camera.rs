@@ -1,4 +1,4 @@
-//! The pinhole camera (rta-model section 2).
+//! The pinhole camera.
 
 use crate::scalar::vector::{UnitVec3, UnitVector, Vec3};
 use crate::scalar::{Scalar, Unit};

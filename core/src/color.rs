@@ -4,7 +4,7 @@ use crate::scalar::Light;
 
 /// Red, green and blue.
 ///
-/// Linear light, no gamma (thesis; rta-model section "World"). What a register holds is its type: a
+/// Linear light, no gamma, as in the thesis. What a register holds is its type: a
 /// reflectance, a radiance, or a level of a display's gun.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Rgb<T> {

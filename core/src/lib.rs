@@ -18,6 +18,11 @@
 //! | [`light::Incident`] is what of a lamp arrives there | `light.rs` |
 //! | [`color`] rounds the light to the levels of a display | `color.rs` |
 //!
+//! # Extend it
+//!
+//! Primitives, illumination models and accelerators are traits. Three programs in `tests/examples/` add one of each from outside,
+//! and say which one line puts it into the core: `new_primitive.rs`, `new_model.rs`, `new_accelerator.rs`.
+//!
 //! # Ten lines of firmware
 //!
 //! ```

@@ -70,7 +70,7 @@ macro_rules! lists {
             }
         }
 
-        /// A scene (rta-model section 1), but for the eye.
+        /// A scene, but for the eye.
         #[derive(Clone, Copy, Debug)]
         pub struct Scene<'a, S: Scalar> {
             $($(#[doc = $doc])+ pub $list: &'a [$Kind<S>],)+

@@ -1,4 +1,4 @@
-//! The thesis's modified Whitted model (rta-model section 4).
+//! The thesis's modified Whitted model.
 
 use super::{Illumination, Secondary};
 use crate::color::Rgb;

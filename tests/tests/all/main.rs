@@ -13,6 +13,7 @@ mod branches;
 mod bvh;
 mod circles;
 mod devices;
+mod examples;
 mod geometry;
 mod golden;
 mod invariance;
