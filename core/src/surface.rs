@@ -2,8 +2,9 @@
 
 use crate::color::Rgb;
 use crate::material::Material;
-use crate::scalar::Scalar;
+use crate::needs::Needs;
 use crate::scalar::vector::{UnitVec3, Vec3};
+use crate::scalar::{Scalar, Unit};
 
 /// The point of a surface that a ray has met.
 #[derive(Clone, Copy, Debug)]
@@ -24,4 +25,14 @@ pub struct Surface<'a, S: Scalar> {
     pub color: Rgb<S::Unit>,
     /// What the surface does with light.
     pub material: &'a Material<S>,
+}
+
+impl<S: Scalar> Surface<'_, S> {
+    /// Returns the diffuse reflectance: the colour, times the diffuse coefficient of its finish where it has one.
+    pub fn diffuse<N: Needs>(&self) -> Rgb<S::Unit> {
+        match self.material.finish::<N>() {
+            Some(finish) => self.color.map(|c| c.times(finish.kd)),
+            None => self.color,
+        }
+    }
 }

@@ -35,7 +35,7 @@ impl<S: Scalar> Illumination<S> for Rta {
         if !Illumination::<S>::is_lit::<N>(self, surface) {
             return Rgb::BLACK;
         }
-        let color = diffuse::<S, N>(surface);
+        let color = surface.diffuse::<N>();
         let (base, slope) = (
             S::Unit::ratio(AMBIENT_BASE.0, AMBIENT_BASE.1),
             S::Unit::ratio(AMBIENT_SLOPE.0, AMBIENT_SLOPE.1),
@@ -60,7 +60,7 @@ impl<S: Scalar> Illumination<S> for Rta {
         }
         let light = if N::ATTENUATION { incident.irradiance() } else { incident.intensity() };
         let light = light.times(incident.cosine);
-        diffuse::<S, N>(surface).zip(tint, |color, part| light.times(color.times(part)))
+        surface.diffuse::<N>().zip(tint, |color, part| light.times(color.times(part)))
     }
 
     fn secondary<N: Needs>(&self, surface: &Surface<S>) -> Secondary<Rgb<S::Unit>> {
@@ -79,13 +79,5 @@ impl<S: Scalar> Illumination<S> for Rta {
             },
             _ => Secondary::NONE,
         }
-    }
-}
-
-/// kd C: of the thesis's types it is the colour.
-fn diffuse<S: Scalar, N: Needs>(surface: &Surface<S>) -> Rgb<S::Unit> {
-    match surface.material.finish::<N>() {
-        Some(finish) => surface.color.map(|c| c.times(finish.kd)),
-        None => surface.color,
     }
 }
