@@ -43,6 +43,7 @@ models! { ($)
     rta: Rta = "rta", "The thesis's: Whitted's with attenuated lamps and cut-out highlights";
     whitted: Whitted = "whitted", "Whitted 1980: lamps are not attenuated, highlights are powers of a cosine";
     phong: Phong = "phong", "Phong 1975 with Whitted's rays, the model of NFF: highlights are around the reflected ray";
+    lambert: Lambert = "lambert", "Lambert 1760: every surface is diffuse, no ray is reflected or transmitted";
 }
 
 /// The rays that a point wants traced, and what part of their light it sends back.
