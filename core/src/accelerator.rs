@@ -1,8 +1,8 @@
-//! How a scene is searched: a type, chosen for a program like its number format.
+//! How a scene is searched for hits. A program chooses the accelerator as a type, like its number format.
 //!
-//! [`Lists`] asks one object after the other and is right for some dozen of them. [`Bvh`] is a hierarchy that is made ahead.
-//! A program for a larger machine brings its own: it implements [`Accelerator::candidates`], and where it is faster also
-//! the other two methods. Whatever is used, the picture is the same to the last bit.
+//! [`Lists`] tests one object after the other and suits some dozen of them. [`Bvh`] is a bounding volume hierarchy that is
+//! built ahead. A program for a larger machine can bring its own, which implements [`Accelerator::candidates`] and may override
+//! [`Accelerator::closest`] and [`Accelerator::transmittance`]. With each of them the picture is equal to the last bit.
 
 pub mod bvh;
 mod closest;
@@ -21,19 +21,19 @@ use crate::scalar::{Scalar, Unit};
 use crate::scene::{Hit, Scene, Visit};
 use crate::world::World;
 
-/// A way of searching a scene. One method is required; a faster machine overrides others.
+/// A way of searching a scene for the objects that a ray meets.
 pub trait Accelerator<S: Scalar>: Copy + Send + Sync {
     /// What is kept from ray to ray, such as the last occluder of each lamp; `()` where nothing is.
     type Memory: Default;
     /// Whether [`Accelerator::candidates`] come in order of [`Object`](crate::scene::Object). Where they do not, equally
     /// near hits are told apart by that order, which costs a comparison.
     const IN_ORDER: bool;
-    /// Whether rays come with a [`GroundPlan`](crate::ray::GroundPlan) where the scene has vertical cylinders. An accelerator
-    /// that seldom asks them makes it when it does.
+    /// Whether the tracer gives rays a [`GroundPlan`](crate::ray::GroundPlan) where the scene has vertical cylinders. An
+    /// accelerator that seldom tests cylinders sets this to false and adds the plan itself.
     const WITH_PLAN: bool = true;
 
-    /// Shows `visit` at least the objects of the lists that the ray meets nearer than [`Visit::t_max`], until it has seen
-    /// enough.
+    /// Passes to `visit` at least those objects of the lists that the ray meets nearer than [`Visit::t_max`]. Returns `Break`
+    /// as soon as `visit` does.
     fn candidates<N: Needs>(
         &self,
         scene: &Scene<'_, S>,
@@ -41,17 +41,17 @@ pub trait Accelerator<S: Scalar>: Copy + Send + Sync {
         visit: &mut impl Visit<S>,
     ) -> ControlFlow<()>;
 
-    /// Returns the first thing that is wrong with it as an accelerator of this scene: it does not lead on, does not end, does
-    /// not name each object once, or (as far as that can be told) does not contain one. Asked on admission.
+    /// Checks, when a scene is admitted, that this accelerator belongs to it: that the walk ends, that each object is named once,
+    /// and, as far as that can be told, that nodes contain their objects.
     ///
     /// # Errors
-    /// The number of the node that is wrong.
+    /// The number of the first node that is wrong.
     fn check(&self, scene: &Scene<'_, S>) -> Result<(), WrongNode>;
 
-    /// Calls `see` with each place, besides eye, objects and lamps, that rays are measured from.
+    /// Calls `see` with each further place, such as a node's centre, whose distance from a ray's origin is computed.
     fn places(&self, _see: impl FnMut(Vec3<S>)) {}
 
-    /// Returns the nearest hit of a ray, if it meets anything; of what is equally near, the first in order of
+    /// Returns the nearest hit of a ray, if there is one; of equally near objects, the first in order of
     /// [`Object`](crate::scene::Object).
     fn closest<N: Needs>(
         &self,
@@ -71,9 +71,9 @@ pub trait Accelerator<S: Scalar>: Copy + Send + Sync {
         }
     }
 
-    /// Returns what part of the light of lamp number `lamp` comes through along a shadow ray that ends at `t_max`: 0 behind
-    /// anything that is not transparent, else the product of kt over the transparent objects on the way, once for each,
-    /// multiplied in order of [`Object`](crate::scene::Object), as rounding depends on it.
+    /// Returns the part, 0 to 1, of the light of lamp number `lamp` that passes along a shadow ray of length `t_max`: 0 where an
+    /// opaque object is in the way, else the product of kt over the transparent objects in the way. The factors are multiplied
+    /// in order of [`Object`](crate::scene::Object), on which the rounding depends.
     fn transmittance<N: Needs>(
         &self,
         world: &World<'_, S>,
@@ -88,11 +88,11 @@ pub trait Accelerator<S: Scalar>: Copy + Send + Sync {
     }
 }
 
-/// A node of an accelerator that is wrong, by its number.
+/// The number of a node of an accelerator that does not fit the scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct WrongNode(pub usize);
 
-/// One object after the other, list by list.
+/// The accelerator that tests one object after the other, list by list.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Lists;
 

@@ -3,7 +3,7 @@
 use crate::scalar::vector::{UnitVec3, UnitVector, Vec3};
 use crate::scalar::{Scalar, Unit};
 
-/// Shape of the pyramid of vision: only the ratios of the three numbers matter, and the largest is 1.
+/// Focal distance and size of the image plane. Only the ratios of the three numbers matter; the largest is 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Lens<U> {
     /// Focal distance.
@@ -15,8 +15,8 @@ pub struct Lens<U> {
 }
 
 impl<U: Unit> Lens<U> {
-    /// A lens of the focal distance `numerator / denominator`, in widths of the image plane, for a screen of the shape
-    /// `aspect` (4 : 3 of a PS/2: the screen's, not the raster's). A 0 counts as 1.
+    /// Returns a lens of the focal distance `numerator / denominator`, in widths of the image plane. `aspect` is width and
+    /// height of the screen, not of the raster (4 and 3 for a PS/2). A 0 counts as 1.
     pub fn new(numerator: u16, denominator: u16, aspect: (u16, u16)) -> Self {
         let n = |n: u16| i64::from(n.max(1));
         // In units of 1 / (denominator x aspect.0) of the width.
@@ -32,12 +32,12 @@ impl<U: Unit> Lens<U> {
     }
 }
 
-/// Eye and image plane.
+/// A pinhole camera: an eye, and an image plane in front of it. Its three vectors have the lengths of a [`Lens`].
 #[derive(Clone, Copy, Debug)]
 pub struct Camera<S: Scalar> {
     /// The observer's position.
     pub eye: Vec3<S>,
-    /// To the centre of the image plane.
+    /// From the eye to the centre of the image plane.
     pub forward: UnitVec3<S>,
     /// From the left edge of the image plane to the right.
     pub right: UnitVec3<S>,
@@ -46,8 +46,8 @@ pub struct Camera<S: Scalar> {
 }
 
 impl<S: Scalar> Camera<S> {
-    /// A camera that looks along `view`, a vector of any length above 0 and below 2, and is held upright: `up` leans
-    /// towards the zenith. Looking straight up or down, the right is east. (No view at all is north.)
+    /// Returns an upright camera that looks along `view`, a vector of any length above 0 and below 2; a `view` of 0 counts as
+    /// north. Where the camera looks straight up or down, its right is east.
     pub fn new(eye: Vec3<S>, view: UnitVec3<S>, lens: Lens<S::Unit>) -> Self {
         let unit = |v: UnitVec3<S>| v.normalize().map(|(v, _)| v);
         let forward = unit(view).unwrap_or(UnitVec3::<S>::Y);
@@ -61,7 +61,8 @@ impl<S: Scalar> Camera<S> {
         }
     }
 
-    /// Direction of the ray through a place of the image plane: `x` and `y` from -1/2, left and bottom, to 1/2.
+    /// Returns the unit direction of the ray through a place of the image plane: `x` from -1/2 at the left edge to 1/2 at the
+    /// right, `y` from -1/2 at the bottom to 1/2 at the top.
     pub fn direction(&self, x: S::Unit, y: S::Unit) -> UnitVec3<S> {
         let place = self.forward.plus(self.right, x).plus(self.up, y);
         // The image plane does not go through the eye, so the way to it is never 0.

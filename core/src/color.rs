@@ -1,11 +1,11 @@
-//! Colour: three registers, each on its own; and linear light as the levels of a display.
+//! Colour as three independent registers, and the rounding of linear light to the levels of a display.
 
 use crate::scalar::Light;
 
 /// Red, green and blue.
 ///
-/// Linear light, no gamma, as in the thesis. What a register holds is its type: a
-/// reflectance, a radiance, or a level of a display's gun.
+/// Light is linear, without gamma, as in the thesis. The type of the registers says what they hold: reflectances, radiances,
+/// or levels of a display.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Rgb<T> {
     /// Red register.
@@ -17,7 +17,7 @@ pub struct Rgb<T> {
 }
 
 impl<T> Rgb<T> {
-    /// A colour from its three registers.
+    /// Returns a colour from its three registers.
     pub const fn new(r: T, g: T, b: T) -> Self {
         Self { r, g, b }
     }
@@ -38,16 +38,17 @@ impl<T> Rgb<T> {
 }
 
 impl<L: Light> Rgb<L> {
-    /// Darkness.
+    /// No light.
     pub const BLACK: Self = Self::new(L::ZERO, L::ZERO, L::ZERO);
 
-    /// The sum of two lights.
+    /// Returns the sum of two radiances.
     #[inline]
     pub fn plus(self, other: Self) -> Self {
         self.zip(other, L::plus)
     }
 
-    /// The nearest levels `0..=max` of a display's guns, whose level `max` is radiance 1; what is brighter is that too.
+    /// Returns the nearest of the levels `0..=max` of a display, whose level `max` is radiance 1, for each register. Brighter
+    /// light gives `max`.
     #[inline]
     pub fn levels(self, max: u8) -> Rgb<u8> {
         self.map(|light| light.level(max))

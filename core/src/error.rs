@@ -1,4 +1,4 @@
-//! What can be wrong before a picture is drawn. While it is drawn, nothing can.
+//! Errors. They occur only before a picture is drawn, never while it is drawn.
 
 use core::fmt;
 
@@ -14,7 +14,7 @@ pub enum Error {
     Depth {
         /// The depth that was asked for.
         depth: u32,
-        /// The deepest there is room for.
+        /// The greatest depth for which there is room.
         capacity: usize,
     },
     /// A side of the raster is 0 or too long.

@@ -1,7 +1,7 @@
-//! Illumination models: what a point of a surface sends back along a ray.
+//! Illumination models: the light that a point of a surface sends back along a ray.
 //!
-//! A model is asked by the tracer, never the other way: it sees a [`Surface`] and one [`Incident`] lamp at a time, and
-//! says which secondary rays it wants with which [`Weight`]. Changing the model of a picture changes one type parameter.
+//! The tracer calls the model, never the other way: for a [`Surface`] and one [`Incident`] lamp at a time the model returns
+//! light, and for a surface the [`Weight`]s of its secondary rays. The model of a picture is one type parameter.
 
 use crate::color::Rgb;
 use crate::light::Incident;
@@ -20,8 +20,8 @@ macro_rules! models {
         /// Calls the macro that it is given with all models of `rta_core::illumination`: after the arguments that follow the
         /// macro's name come, for each model, its type, its name on the command line and what a help text says of it.
         ///
-        /// What is to be there for each model (a command line's choices, a dispatch) is made by such a macro, so that
-        /// it has a new model by itself. Each type has a `default()`.
+        /// Code that needs each model (a command line's choices, a dispatch) uses such a macro, and so has a new model
+        /// without a change. Each type has a `default()`.
         ///
         /// ```
         /// macro_rules! names {
@@ -46,12 +46,12 @@ models! { ($)
     lambert: Lambert = "lambert", "Lambert 1760: every surface is diffuse, no ray is reflected or transmitted";
 }
 
-/// The rays that a point wants traced, and what part of their light it sends back.
+/// The secondary rays of a point, by their weights: the part of their light that the point sends back; `None` for no ray.
 #[derive(Clone, Copy, Debug)]
 pub struct Secondary<W> {
     /// Weight of the reflected ray.
     pub reflected: Option<W>,
-    /// Weight of the transmitted ray, which is a reflected one where there is total internal reflection.
+    /// Weight of the transmitted ray; where there is total internal reflection, it is added to the reflected ray's.
     pub transmitted: Option<W>,
 }
 
@@ -62,44 +62,45 @@ impl<W> Secondary<W> {
 
 /// A model of illumination for scenes in the scalar `S`.
 pub trait Illumination<S: Scalar>: Send + Sync {
-    /// The weight of a ray: [`Scalar::Unit`] where a surface treats the registers alike, [`Rgb`] of it where not.
+    /// The weight of a ray: [`Scalar::Unit`] if the model reflects red, green and blue alike, [`Rgb`] of it if not.
     type Weight: Weight<S>;
 
-    /// Whether lamps behind the surface count too (translucent things).
+    /// Whether lamps behind the surface light it too, as for translucent materials.
     const BOTH_SIDES: bool = false;
 
-    /// Whether shiny surfaces reflect, and mirrors and glass show highlights: whoever bakes a scene for the model learns
-    /// from it which [`Needs`] the scene has. A model that leaves this as it is gets more code than it may need, never less.
+    /// Whether shiny surfaces reflect, and mirrors and glass show highlights. [`Used::by`](crate::used::Used::by) derives the
+    /// [`Needs`] of a scene from it; true, the default, may compile in more code than necessary, never less.
     const SPECULAR: bool = true;
 
-    /// Whether the model asks for light that is attenuated with the distance of its lamp ([`Incident::irradiance`]): it
-    /// decides the need [`Needs::ATTENUATION`], and how bright lamps have to be in a scene that is scaled.
+    /// Whether the model uses [`Incident::irradiance`], light that is attenuated with the distance of its lamp. It decides
+    /// [`Needs::ATTENUATION`], and how bright lamps have to be in a scene that is scaled.
     const ATTENUATION: bool = true;
 
-    /// What the point sends back of the scene's ambient light.
+    /// Returns the radiance that the point sends back of the scene's ambient light.
     fn ambient<N: Needs>(&self, surface: &Surface<S>, ambient: Rgb<S::Light>) -> Rgb<S::Light>;
 
-    /// Whether lamps matter for this surface at all.
+    /// Returns whether lamps can light this surface at all.
     fn is_lit<N: Needs>(&self, surface: &Surface<S>) -> bool;
 
-    /// What the point sends back of one lamp that nothing hides. Where that is not dark, the tracer looks for what does.
+    /// Returns the radiance that the point sends back of one lamp, without shadows. Unless it is black, the tracer then traces a
+    /// shadow ray.
     fn direct<N: Needs>(&self, surface: &Surface<S>, incident: &Incident<S>) -> Rgb<S::Light>;
 
-    /// The secondary rays that the point wants.
+    /// Returns the weights of the secondary rays of the point.
     fn secondary<N: Needs>(&self, surface: &Surface<S>) -> Secondary<Self::Weight>;
 }
 
-/// What part of a ray's light arrives in the pixel.
+/// The weight of a ray: the part of its light that arrives in the pixel.
 pub trait Weight<S: Scalar>: Copy + core::fmt::Debug + Send + Sync {
-    /// All of it.
+    /// The weight of the primary ray: 1.
     const WHOLE: Self;
-    /// The part of a part.
+    /// Returns the product of two weights.
     fn compose(self, other: Self) -> Self;
-    /// The sum of two parts.
+    /// Returns the sum of two weights.
     fn join(self, other: Self) -> Self;
-    /// The part of a light.
+    /// Returns `light` times the weight.
     fn filter(self, light: Rgb<S::Light>) -> Rgb<S::Light>;
-    /// Whether the part is below `threshold` in every register.
+    /// Returns whether the weight is below `threshold` in every register.
     fn is_below(self, threshold: S::Unit) -> bool;
 }
 

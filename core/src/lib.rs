@@ -10,13 +10,13 @@
 //! | --- | --- |
 //! | [`raster::Pixels`] picks the pixel and the places of its samples | `raster.rs`, `raster/sampling.rs` |
 //! | [`camera::Camera`] makes the primary ray | `camera.rs` |
-//! | [`trace::Tracer`] pops a pending ray, asks the accelerator and the model, pushes what is to be traced next | `trace.rs`, `trace/decision.rs` |
-//! | the [`accelerator::Accelerator`] finds the nearest hit, and what part of a lamp's light comes through | `accelerator.rs`, `accelerator/*.rs` |
-//! | [`scene::Scene`] enumerates its lists; each [`shape::Primitive`] says where a ray meets it | `scene.rs`, `shape/*.rs` |
-//! | [`world::World`] says what is seen there: a [`surface::Surface`], the sky, a lamp | `world.rs`, `surface.rs` |
-//! | the [`illumination::Illumination`] model says what the point sends back | `illumination/*.rs` |
-//! | [`light::Incident`] is what of a lamp arrives there | `light.rs` |
-//! | [`color`] rounds the light to the levels of a display | `color.rs` |
+//! | [`trace::Tracer`] takes the next pending ray, decides whether a lamp needs a shadow ray, pushes the secondary rays | `trace.rs`, `trace/decision.rs` |
+//! | the [`accelerator::Accelerator`] finds the nearest hit, and for a shadow ray the part of the lamp's light that arrives | `accelerator.rs`, `accelerator/*.rs` |
+//! | [`scene::Scene`] enumerates its lists; each [`shape::Primitive`] computes where a ray meets it | `scene.rs`, `shape/*.rs` |
+//! | [`world::World`] turns the hit into what is seen: a [`surface::Surface`], the sky, a lamp | `world.rs`, `surface.rs` |
+//! | the [`illumination::Illumination`] model computes the light that the point sends back, and the weights of the secondary rays | `illumination/*.rs` |
+//! | [`light::Incident`] is one lamp as seen from that point: direction, distance, irradiance | `light.rs` |
+//! | [`color`] rounds the pixel's light to the levels of a display | `color.rs` |
 //!
 //! # Extend it
 //!
@@ -69,7 +69,7 @@ pub use error::Error;
 pub use raster::sampling;
 pub use scalar::{Q16, Q20, Scalar, vector};
 
-/// What a program that draws a picture needs, in one `use`.
+/// The types that a program needs to draw a picture, for one `use`.
 pub mod prelude {
     pub use crate::accelerator::{Accelerator, Bvh, Lists};
     pub use crate::camera::{Camera, Lens};

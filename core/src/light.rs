@@ -1,10 +1,10 @@
-//! Lamps, and what of a lamp arrives at a point.
+//! Lamps, and a lamp as seen from a point.
 
 use crate::color::Rgb;
 use crate::scalar::vector::{LengthVector, UnitVec3, UnitVector, Vec3};
 use crate::scalar::{Light, Scalar, Unit};
 
-/// A lamp: it shines from its centre, and is seen as a sphere (not at all where the radius is 0). It casts no shadow.
+/// A lamp: a point light at its centre, visible as a sphere if its radius is above 0. It casts no shadow.
 #[derive(Clone, Copy, Debug)]
 pub struct Lamp<S: Scalar> {
     /// Centre.
@@ -15,37 +15,37 @@ pub struct Lamp<S: Scalar> {
     pub inverse_radius: S::Inverse,
     /// Intensity of the strongest register: the irradiance at distance 1.
     pub power: S::Power,
-    /// The registers as parts of the strongest one.
+    /// Each register as a part of the strongest one, 0 to 1.
     pub tint: Rgb<S::Unit>,
 }
 
 impl<S: Scalar> Lamp<S> {
-    /// A lamp of one colour; its strongest register is `power`, and `tint` tells the others.
+    /// Returns a lamp of the intensity `power` times `tint`, whose strongest register is 1.
     pub fn new(position: Vec3<S>, radius: S, power: S::Power, tint: Rgb<S::Unit>) -> Self {
         Self { position, radius, inverse_radius: radius.inverse(), power, tint }
     }
 
-    /// A white lamp of a whole intensity.
+    /// Returns a white lamp of a whole-numbered intensity: the irradiance at distance 1.
     pub fn white(position: Vec3<S>, radius: S, intensity: u32) -> Self {
         let one = S::Unit::ONE;
         Self::new(position, radius, S::power(intensity, 0), Rgb::new(one, one, one))
     }
 
-    /// The radiance of a lamp that is looked at: colour over radius squared (Graham 1987).
+    /// Returns the radiance of the lamp as a ray sees it: intensity over radius squared (Graham 1987); saturates in fixed point.
     pub fn radiance(&self) -> Rgb<S::Light> {
         let light = S::fall_off(self.power, self.inverse_radius);
         self.tint.map(|part| light.times(part))
     }
 }
 
-/// One lamp as a point sees it.
+/// One lamp as seen from a point of a surface.
 #[derive(Clone, Copy, Debug)]
 pub struct Incident<'a, S: Scalar> {
     /// Unit vector from the point to the lamp's centre.
     pub direction: UnitVec3<S>,
     /// Distance to the lamp's centre.
     pub distance: S,
-    /// Its reciprocal.
+    /// Reciprocal of the distance.
     pub inverse_distance: S::Inverse,
     /// Cosine of the angle between normal and [`Incident::direction`]; negative for a lamp behind the surface.
     pub cosine: S::Unit,
@@ -54,24 +54,24 @@ pub struct Incident<'a, S: Scalar> {
 }
 
 impl<'a, S: Scalar> Incident<'a, S> {
-    /// The lamp as seen from a point with that normal; nothing for a point at the lamp's very centre.
+    /// Returns the lamp as seen from a point with a unit normal; `None` if the point is the lamp's centre.
     pub fn new(lamp: &'a Lamp<S>, point: Vec3<S>, normal: UnitVec3<S>) -> Option<Self> {
         let (direction, distance, inverse_distance) = (lamp.position - point).normalize()?;
         Some(Self { direction, distance, inverse_distance, cosine: normal.dot(direction), lamp })
     }
 
-    /// Irradiance of the strongest register on a surface that faces the lamp: intensity over distance squared.
+    /// Returns the irradiance of the strongest register on a surface that faces the lamp: intensity over distance squared.
     pub fn irradiance(&self) -> S::Light {
         S::fall_off(self.lamp.power, self.inverse_distance)
     }
 
-    /// Intensity of the strongest register, not attenuated.
+    /// Returns the intensity of the strongest register as a radiance, not attenuated.
     pub fn intensity(&self) -> S::Light {
         S::intensity(self.lamp.power)
     }
 
-    /// The lamp's solid angle as a part of the full sphere (4 pi steradians): `(1 - sqrt(1 - (r/d)^2)) / 2`, 1/2 from
-    /// within the lamp.
+    /// Returns the lamp's solid angle as a part of the full sphere (4 pi steradians): `(1 - sqrt(1 - (r/d)^2)) / 2`; 1/2 for a
+    /// point within the lamp.
     pub fn solid_angle(&self) -> S::Unit {
         let half = S::Unit::ratio(1, 2);
         if self.lamp.radius >= self.distance {

@@ -14,7 +14,7 @@ pub enum Material<S: Scalar> {
     Mirror,
     /// Type 3: reflects one part of the light and lets another through.
     Transparent(Glass<S>),
-    /// Diffuse, specular and transparent by coefficients of its own (NFF: E. Haines, "A Proposal for Standard Graphics
+    /// Diffuse, specular and transparent with its own coefficients (NFF: E. Haines, "A Proposal for Standard Graphics
     /// Environments", IEEE CG&A 7, 1987).
     Finish(Finish<S>),
 }
@@ -24,14 +24,14 @@ pub enum Material<S: Scalar> {
 pub struct Finish<S: Scalar> {
     /// Diffuse coefficient, 0 or more.
     pub kd: S::Unit,
-    /// Exponent of the highlight: the larger, the smaller.
+    /// Exponent of the highlight: the larger the exponent, the smaller the highlight.
     pub exponent: u32,
-    /// What is reflected, highlights too, and what is transmitted, which may be nothing.
+    /// Reflection, whose `ks` weighs highlights too, and transmission; a `kt` of 0 makes the surface opaque.
     pub glass: Glass<S>,
 }
 
 impl<S: Scalar> Material<S> {
-    /// How light goes through, if any does.
+    /// Returns the coefficients of transmission; `None` for an opaque material.
     pub fn glass<N: Needs>(&self) -> Option<&Glass<S>> {
         match self {
             Self::Transparent(glass) if N::GLASS => Some(glass),
@@ -42,7 +42,7 @@ impl<S: Scalar> Material<S> {
         }
     }
 
-    /// Coefficients of its own, if it has them.
+    /// Returns the material's own coefficients; `None` for one of the thesis's four types.
     pub fn finish<N: Needs>(&self) -> Option<&Finish<S>> {
         match self {
             Self::Finish(finish) if N::FINISH => Some(finish),
@@ -58,15 +58,15 @@ pub struct Glass<S: Scalar> {
     pub ks: S::Unit,
     /// Weight of the transmitted ray, 0 to 1.
     pub kt: S::Unit,
-    /// The smaller index of refraction over the larger, of inside and outside: ]0, 1].
+    /// The smaller of the indices of refraction inside and outside over the larger: above 0, at most 1.
     pub eta: S::Unit,
-    /// Whether the inside has the larger index.
+    /// Whether the inside has the larger index of refraction, or both are equal.
     pub denser: bool,
 }
 
 impl<S: Scalar> Glass<S> {
-    /// Glass whose inside is `numerator / denominator` times as dense as its outside, that reflects the part `ks` and
-    /// lets the rest through.
+    /// Returns glass with the index of refraction `numerator / denominator` relative to its outside, which reflects the part
+    /// `ks` (0 to 1) and transmits the rest.
     pub fn new(ks: S::Unit, numerator: u32, denominator: u32) -> Self {
         let (smaller, larger) = (numerator.min(denominator), numerator.max(denominator));
         Self {

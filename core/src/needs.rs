@@ -1,7 +1,7 @@
-//! What a scene does not need is not in the program.
+//! Code that a scene does not need is left out of the program.
 //!
-//! Each constant of [`Needs`] gates one branch of the tracer. A program that draws one scene names only what that scene
-//! uses, and the compiler leaves the rest out.
+//! Each constant of [`Needs`] guards branches of the tracer. A program that draws a known scene sets to false what that scene
+//! does not use, and the compiler removes the code.
 //!
 //! ```
 //! use rta_core::prelude::*;
@@ -23,7 +23,7 @@ macro_rules! needs {
             $($(#[doc = $doc])+ const $NAME: bool = true;)+
         }
 
-        /// What a scene uses: the constants of [`Needs`] as values. [`Used::by`](crate::used) finds them.
+        /// The constants of [`Needs`] as values; [`Used::by`](crate::used) finds those that a scene uses.
         #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
         #[allow(clippy::struct_excessive_bools, reason = "each is the constant of the same name")]
         pub struct Used {
@@ -31,12 +31,12 @@ macro_rules! needs {
         }
 
         impl Used {
-            /// The constants of `N` as values.
+            /// Returns the constants of `N` as values.
             pub const fn of<N: Needs>() -> Self {
                 Self { $($field: N::$NAME,)+ }
             }
 
-            /// Each constant's name and value.
+            /// Returns name and value of each constant.
             pub const fn named(self) -> [(&'static str, bool); [$(stringify!($NAME)),+].len()] {
                 [$((stringify!($NAME), self.$field),)+]
             }
@@ -55,7 +55,7 @@ needs! {
     TRIANGLES triangles,
     /// Triangles with normals at their vertices.
     NORMALS normals,
-    /// Vertical cylinders without ends.
+    /// Infinite vertical cylinders.
     CYLINDERS cylinders,
     /// The chequered floor.
     FLOOR floor,
@@ -65,17 +65,17 @@ needs! {
     VISIBLE_LAMPS visible_lamps,
     /// Highlights on shiny surfaces.
     GLINT glint,
-    /// Reflected rays. Without them, and so without transmitted ones, there is no ray tree and no stack for it.
+    /// Reflected rays. Without them there are no transmitted rays either, no ray tree and no stack.
     MIRROR mirror,
     /// Transmitted rays; they need [`Needs::MIRROR`] for total internal reflection.
     GLASS glass,
-    /// Surfaces with coefficients of their own.
+    /// Surfaces with their own coefficients: [`Material::Finish`](crate::material::Material::Finish).
     FINISH finish,
     /// Lamps.
     LAMPS lamps,
     /// More than one lamp; without it only the first one shines.
     SEVERAL_LAMPS several_lamps,
-    /// Surfaces whose light falls off with the distance to the lamp.
+    /// Light that is attenuated with the distance to the lamp.
     ATTENUATION attenuation,
     /// Shadows.
     SHADOWS shadows,
@@ -83,7 +83,7 @@ needs! {
     TRANSPARENT_SHADOWS transparent_shadows,
 }
 
-/// Everything there is: what a program needs that reads its scene when it runs.
+/// All constants true: for a program that reads its scene at run time.
 #[derive(Clone, Copy, Debug)]
 pub struct Everything;
 

@@ -1,17 +1,17 @@
-//! Range is proved, not hoped for: a scene is admitted to a number format before it may be drawn.
+//! The range proof: before a scene is drawn, it is proved that no number of it leaves the number format.
 //!
-//! The proof bounds every quantity over all rays that the scene can produce, each as one named [`Bound`]. It rests on
-//! where rays start and end:
+//! The proof bounds every quantity over all rays that the scene can produce, each in one [`Bound`]. It follows from where
+//! rays start and end:
 //!
-//! - Eye, objects and lamps lie in a box and in a ball. A ray starts at the eye or on an object and what it meets lies on
-//!   an object too, so no two places that are ever subtracted are farther apart than the box's diagonal or the ball's
-//!   diameter: the bound of [`Quantity::Distance`]. A vertical cylinder is seen up to [`Limits::cylinder_end`].
-//! - The floor goes on for ever. Its places are lit up to [`Limits::floor_end`] from where they are seen, which is what the
+//! - Eye, objects and lamps lie in a box and in a ball. A ray starts at the eye or on an object and ends on an object or at
+//!   a lamp, so no two places that are ever subtracted are farther apart than the box's diagonal or the ball's diameter:
+//!   the bound of [`Quantity::Distance`]. A vertical cylinder is visible up to [`Limits::cylinder_end`].
+//! - The floor is infinite. Its places are lit up to the distance [`Limits::floor_end`] from a ray's origin, the room that the
 //!   format has left: the bound of [`Quantity::Reach`]. Only shadow rays start there.
-//! - Components of unit vectors are at most 1 but for a few roundings; a ray's weight is a product of reflectances.
-//! - Radiances saturate, on purpose: their row says at what.
+//! - Components of unit vectors are at most 1 plus some rounding; a ray's weight is a product of reflectances.
+//! - Radiances saturate, on purpose: their row names the largest.
 //!
-//! All other intermediates are differences, rounded products or roots of these; 64-bit sums have their own row.
+//! All other intermediate results are differences, rounded products or roots of these; 64-bit sums have their own row.
 
 use core::ops::Deref;
 
@@ -32,7 +32,7 @@ mod quantity;
 use extent::Extent;
 pub use quantity::{Bound, Quantity, RangeError};
 
-/// A scene that fits its number format together with an eye, and how it is searched.
+/// A scene that was proved to fit its number format for one eye, and its accelerator.
 #[derive(Clone, Copy, Debug)]
 pub struct Admitted<'a, S: Scalar, A = Lists> {
     world: World<'a, S>,
@@ -40,14 +40,14 @@ pub struct Admitted<'a, S: Scalar, A = Lists> {
 }
 
 impl<'a, S: Scalar, A> Admitted<'a, S, A> {
-    /// A scene that was admitted before, when it was baked into a program: the proof is not made again. Nothing
-    /// checks that it ever was made, so this is for generated code and for owners of an admitted scene; everybody else asks
+    /// Returns a scene as admitted without a proof. Nothing checks that a proof was ever made, so this is for generated code,
+    /// whose scene was admitted when it was generated, and for owners of an admitted scene. Everybody else calls
     /// [`Scene::admit`].
     pub const fn baked(scene: Scene<'a, S>, limits: Limits<S>, accelerator: A) -> Self {
         Self { world: World { scene, limits }, accelerator }
     }
 
-    /// How the scene is searched.
+    /// Returns the accelerator.
     pub const fn accelerator(&self) -> &A {
         &self.accelerator
     }
@@ -59,7 +59,7 @@ impl<S: Scalar, A: Accelerator<S>> Admitted<'_, S, A> {
         self.accelerator.closest::<N>(&self.world, ray, &mut A::Memory::default())
     }
 
-    /// Returns what part of the light of lamp number `lamp` comes through along a single shadow ray that ends at `t_max`: see
+    /// Returns the part, 0 to 1, of the light of lamp number `lamp` that passes along a single shadow ray of length `t_max`: see
     /// [`Accelerator::transmittance`].
     pub fn transmittance<N: Needs>(&self, ray: &Ray<S>, t_max: S, lamp: usize) -> S::Unit {
         self.accelerator.transmittance::<N>(&self.world, ray, t_max, lamp, &mut A::Memory::default())
@@ -73,7 +73,7 @@ impl<'a, S: Scalar, A> Deref for Admitted<'a, S, A> {
     }
 }
 
-/// The largest of many sizes, and whose it is.
+/// The largest of many sizes, and the object that has it.
 #[derive(Clone, Copy)]
 struct Worst(Magnitude, Option<Object>);
 
@@ -87,29 +87,29 @@ impl Worst {
     }
 }
 
-/// The proof: its rows, and the limits they were found for.
+/// The proof: its rows, and the limits for which they were computed.
 #[derive(Clone, Copy, Debug)]
 pub struct Proof<S> {
-    /// The rows.
+    /// One row for each [`Quantity`].
     pub bounds: [Bound; 12],
-    /// How far the scene is seen and lit.
+    /// How far floor and vertical cylinders are seen and lit.
     pub limits: Limits<S>,
 }
 
 impl<'a, S: Scalar> Scene<'a, S> {
-    /// Proves that no ray of this scene, seen from this eye, leaves the number format. The scene is searched one object after
-    /// the other; [`Scene::admit_with`] admits it with another accelerator.
+    /// Proves that no ray of this scene from this eye leaves the number format, and returns the scene, searched by [`Lists`];
+    /// [`Scene::admit_with`] takes another accelerator.
     ///
     /// # Errors
-    /// The first object that does not fit, and what of it.
+    /// The first object or quantity that does not fit.
     pub fn admit(self, camera: &Camera<S>) -> Result<Admitted<'a, S>, RangeError> {
         self.admit_with(camera, Lists)
     }
 
-    /// Proves that no ray of this scene, seen from this eye and searched by this accelerator, leaves the number format.
+    /// Proves that no ray of this scene from this eye leaves the number format, and returns the scene with its accelerator.
     ///
     /// # Errors
-    /// The first object that does not fit, and what of it; or the node of the accelerator that is wrong.
+    /// The first object or quantity that does not fit, or the first node of the accelerator that is wrong.
     pub fn admit_with<A: Accelerator<S>>(
         self,
         camera: &Camera<S>,
@@ -120,12 +120,12 @@ impl<'a, S: Scalar> Scene<'a, S> {
         if let Some(row) = proof.bounds.iter().find(|row| !row.holds()) {
             return Err(RangeError::Exceeds(*row));
         }
-        // Only now is it known that no distance between a node and its objects leaves the format.
+        // Only after the proof may the distances between nodes and objects be computed.
         accelerator.check(&self).map_err(|WrongNode(node)| RangeError::Hierarchy(node))?;
         Ok(Admitted::baked(self, proof.limits, accelerator))
     }
 
-    /// Calls `see` with every object and lamp: its place, the radius of a sphere about it and its smallest radius.
+    /// Calls `see` with every object and lamp: its place, its bounding sphere's radius and its smallest radius.
     fn solids(&self, mut see: impl FnMut(Object, Vec3<S>, S, S)) {
         self.looks(|object, look| see(object, look.center, look.radius, look.least));
         for (i, lamp) in (0..).zip(self.lamps) {
@@ -133,7 +133,7 @@ impl<'a, S: Scalar> Scene<'a, S> {
         }
     }
 
-    /// Calls `see` with every surface, its colour and material; with the floor for each of its colours.
+    /// Calls `see` with every surface, its colour and material; twice with the floor, which has two colours.
     fn surfaces(&self, mut see: impl FnMut(Object, Rgb<S::Unit>, &Material<S>)) {
         self.looks(|object, look| see(object, look.color, look.material));
         for color in self.floor.iter().flat_map(|floor| floor.colors) {
@@ -157,7 +157,7 @@ impl<'a, S: Scalar> Scene<'a, S> {
         first
     }
 
-    /// Returns the rows of the proof, whether they hold or not, for a scene that is searched one object after the other.
+    /// Returns the proof, whether its rows hold or not, for a scene that is searched by [`Lists`].
     pub fn prove(&self, camera: &Camera<S>) -> Proof<S> {
         self.prove_with(camera, &Lists)
     }
@@ -168,7 +168,7 @@ impl<'a, S: Scalar> Scene<'a, S> {
         let extent = Extent::of(self, camera, accelerator);
         let cylinder_end = extent.cylinder_end(!self.cylinders.is_empty(), most);
         let (coordinate, distance) = extent.bounds(cylinder_end);
-        // A little less than what is left, for what sums of sizes are rounded up by.
+        // A little less than the room that is left, as sums of sizes are rounded up.
         let end = largest.minus(largest.shift(-24));
         let widest = distance.0.max(coordinate.0);
         let floor_end = if widest < end { end.minus(widest) } else { Magnitude::ZERO };

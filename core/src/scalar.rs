@@ -1,7 +1,7 @@
-//! Numbers: a length, a component of a unit vector, a square, a radiance.
+//! Number types: lengths, components of unit vectors, squares, radiances.
 //!
-//! A picture is drawn in one [`Scalar`]. The quantities of a ray tracer differ in range, so in fixed point each has a
-//! format of its own, and the scalar names them all:
+//! A picture is drawn in one [`Scalar`]. The quantities of a ray tracer differ in range, so in fixed point each has its own
+//! format, which is an associated type of the scalar:
 //!
 //! | quantity | type | Q16.16 | f32 |
 //! | --- | --- | --- | --- |
@@ -41,7 +41,7 @@ pub trait Scalar:
     + Sync
     + 'static
 {
-    /// A component of a unit vector, a cosine, a coefficient: at least [-1.99, 1.99].
+    /// A component of a unit vector, a cosine, a coefficient. It holds at least the range [-1.99, 1.99].
     type Unit: Unit;
     /// A sum of products of two lengths, unrounded.
     type Wide: Copy + Debug + PartialOrd + Add<Output = Self::Wide> + Sub<Output = Self::Wide>;
@@ -56,7 +56,7 @@ pub trait Scalar:
     /// Three components of a unit vector.
     type UnitVector: UnitVector<Component = Self::Unit>;
 
-    /// Nothing.
+    /// The length 0.
     const ZERO: Self;
     /// `t_max` of a ray that is not bounded otherwise: the largest length.
     const FAR: Self;
@@ -66,60 +66,60 @@ pub trait Scalar:
     const LARGEST_PRODUCT: Magnitude;
     /// The largest ratio of an ellipsoid's radii.
     const LARGEST_STRETCH: Magnitude;
-    /// How far the start of a ray stands off a surface at least, where that is a constant of the format.
+    /// The least distance by which a ray's origin is pushed off a surface, where that is a constant of the format.
     const CLEARANCE: Magnitude;
 
-    /// The size of a length.
+    /// Returns a bound of the absolute value of a length.
     fn size(self) -> Magnitude;
-    /// The largest length that does not exceed a size.
+    /// Returns the largest length that does not exceed `size`.
     fn at_most(size: Magnitude) -> Self;
-    /// The size of an intensity.
+    /// Returns a bound of an intensity.
     fn power_size(power: Self::Power) -> Magnitude;
 
-    /// `self * factor`, rounded.
+    /// Returns `self * factor`, rounded.
     fn scale(self, factor: Self::Unit) -> Self;
-    /// `self^2`, exact in fixed point.
+    /// Returns `self^2`, exact in fixed point.
     fn square(self) -> Self::Wide;
-    /// Square root of a square; 0 of a negative one.
+    /// Returns the square root; 0 for a negative square.
     fn sqrt(square: Self::Wide) -> Self;
-    /// `1 / self`, for `self > 0`; of anything else an unspecified value, never a panic.
+    /// Returns `1 / self`, for `self > 0`; for anything else an unspecified value, never a panic.
     fn inverse(self) -> Self::Inverse;
-    /// `self / whole` for `0 <= self <= whole`, where `whole` is given by its reciprocal.
+    /// Returns `self / whole` for `0 <= self <= whole`, where `whole` is given by its reciprocal.
     fn fraction(self, whole: Self::Inverse) -> Self::Unit;
-    /// `self / slope`, where `slope` (0 to 1) is given by its reciprocal; saturates at [`Scalar::FAR`] and its negative.
+    /// Returns `self / slope`, where `slope` (0 to 1) is given by its reciprocal; saturates at [`Scalar::FAR`] and its negative.
     fn stretch(self, slope: <Self::Unit as Unit>::Inverse) -> Self;
-    /// `self / slope` for `self >= 0` and `slope > 0`; saturates at [`Scalar::FAR`].
+    /// Returns `self / slope` for `self >= 0` and `slope > 0`; saturates at [`Scalar::FAR`].
     fn over(self, slope: Self::Unit) -> Self;
 
-    /// Returns the radius of a sphere that a ray surely meets where it meets one of the things inside the sphere of radius
-    /// `self`: larger by what the foot points of both can be wrong together. `distance` is how far along the ray the
-    /// centre is.
+    /// Returns the radius `self` of a bounding sphere, enlarged by the greatest rounding error of its foot point and of that of
+    /// an object in it, so that a ray that meets the object meets the sphere. `distance` is the distance of the centre along
+    /// the ray.
     fn padded(self, distance: Self) -> Self;
 
-    /// The next larger length of one that is 0 or more and finite; the same where there is none.
+    /// Returns the next larger length, for a finite `self` of 0 or more; `self` where there is none.
     fn next_up(self) -> Self;
 
-    /// The extent that [`LengthVector::clearance`] is to be told of an ellipsoid of the extent `self` whose smallest radius
-    /// is the part `thickness` of it. A format with a fixed point loses the digits that squashing the ellipsoid takes.
+    /// Returns the extent to pass to [`LengthVector::clearance`] for an ellipsoid of the extent `self` whose smallest radius is
+    /// `thickness` times that. It is larger in fixed point, which loses digits where the ellipsoid is scaled to a sphere.
     #[inline]
     fn squashed(self, _thickness: Self::Unit) -> Self {
         self
     }
 
-    /// Whether a coordinate lies in an odd one of the floor's tiles, which are 3 units wide.
+    /// Returns whether a coordinate lies in an odd tile of the floor: whether `floor(self / 3)` is odd.
     fn odd_tile(self) -> bool;
-    /// The same for the coordinate `self + slope * height / fall`, where the quotient may lie beyond [`Scalar::FAR`].
+    /// Returns whether the coordinate `self + slope * height / fall`, which may exceed [`Scalar::FAR`], lies in an odd tile.
     fn odd_far_tile(self, slope: Self::Unit, height: Self, fall: Self::Unit) -> bool;
 
-    /// The intensity `mantissa * 2^exponent`.
+    /// Returns the intensity `mantissa * 2^exponent`.
     fn power(mantissa: u32, exponent: i16) -> Self::Power;
-    /// Intensity as a radiance, for a lamp that is not attenuated; saturates.
+    /// Returns an intensity as a radiance, for a lamp that is not attenuated; saturates in fixed point.
     fn intensity(power: Self::Power) -> Self::Light;
-    /// `power / distance^2`, the irradiance of a lamp (inverse-square law); saturates.
+    /// Returns `power / distance^2`, the irradiance of a lamp (inverse-square law); saturates. `distance` is a reciprocal.
     fn fall_off(power: Self::Power, distance: Self::Inverse) -> Self::Light;
 }
 
-/// A number whose size is about one: a cosine, a weight, a reflectance.
+/// A number of about 1 or less: a cosine, a weight, a reflectance.
 pub trait Unit:
     Copy
     + Debug
@@ -139,26 +139,25 @@ pub trait Unit:
     const ZERO: Self;
     /// 1.
     const ONE: Self;
-    /// The largest size.
+    /// The largest absolute value.
     const LARGEST: Magnitude;
-    /// The size.
+    /// Returns a bound of the absolute value.
     fn size(self) -> Magnitude;
-    /// `numerator / denominator`, rounded to the nearest; `denominator > 0` and the value below 2 in size.
+    /// Returns `numerator / denominator`, rounded to the nearest, for `denominator > 0` and values between -2 and 2.
     fn ratio(numerator: i64, denominator: i64) -> Self;
-    /// `numerator / denominator` of numbers that are known only when the program runs; the same value as
-    /// [`Unit::ratio`], without a division of 64 bits.
+    /// Returns what [`Unit::ratio`] does, for numbers that are known only at run time, without a 64-bit division.
     fn fraction(numerator: i32, denominator: u32) -> Self;
-    /// The product, rounded.
+    /// Returns the product, rounded.
     fn times(self, factor: Self) -> Self;
-    /// `self / divisor`, where the divisor is given by its reciprocal; saturates at 2.
+    /// Returns `self / divisor`, where the divisor is given by its reciprocal; saturates at 2 in fixed point.
     fn over(self, divisor: Self::Inverse) -> Self;
-    /// `sqrt(a^2 + b^2 - minus^2)`, the difference exact in fixed point; nothing where it is negative.
+    /// Returns `sqrt(a^2 + b^2 - minus^2)`, the difference exact in fixed point; `None` where it is negative.
     fn radical(a: Self, b: Self, minus: Self) -> Option<Self>;
-    /// `sqrt(b^2 - a c)`, the difference exact in fixed point; nothing where it is negative.
+    /// Returns `sqrt(b^2 - a c)`, the difference exact in fixed point; `None` where it is negative.
     fn discriminant(b: Self, a: Self, c: Self) -> Option<Self>;
-    /// `self / divisor`; in fixed point it saturates at 2, in float it may be infinite or no number.
+    /// Returns `self / divisor`. In fixed point it saturates at 2, in floating point it may be infinite or NaN.
     fn quotient(self, divisor: Self) -> Self;
-    /// `self^exponent` by squaring, for `self` in [0, 1].
+    /// Returns `self^exponent` by repeated squaring, for `self` in [0, 1].
     fn power(self, exponent: u32) -> Self {
         let (mut base, mut left, mut product) = (self, exponent, Self::ONE);
         while left > 0 {
@@ -172,23 +171,23 @@ pub trait Unit:
     }
 }
 
-/// Radiance: never negative, 1 is the brightest level of a display's gun. Fixed point saturates at its largest value,
-/// 15 bits above that, on purpose: what is too bright by such a factor stays white through five faint reflections.
+/// A radiance, 0 or more; 1 is the brightest level of a display. Fixed point saturates at 2^15 on purpose: light that bright
+/// stays white through five faint reflections.
 pub trait Light: Copy + Debug + PartialEq + PartialOrd + Send + Sync + 'static {
-    /// What a radiance is multiplied with.
+    /// The type of the factors of a radiance.
     type Unit: Unit;
-    /// Darkness.
+    /// No light.
     const ZERO: Self;
-    /// The brightest level of a display.
+    /// The brightest level of a display: radiance 1.
     const WHITE: Self;
     /// The largest radiance.
     const LARGEST: Magnitude;
-    /// The size.
+    /// Returns a bound of the radiance.
     fn size(self) -> Magnitude;
-    /// The sum of two radiances.
+    /// Returns the sum of two radiances.
     fn plus(self, other: Self) -> Self;
-    /// The part `factor` (0 or more) of a radiance.
+    /// Returns the radiance times `factor`, 0 or more.
     fn times(self, factor: Self::Unit) -> Self;
-    /// The nearest of the levels `0..=max` of a gun whose level `max` is radiance 1.
+    /// Returns the nearest of the levels `0..=max` of a display whose level `max` is radiance 1.
     fn level(self, max: u8) -> u8;
 }

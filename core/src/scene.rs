@@ -1,7 +1,7 @@
 //! A scene is borrowed data: one list for each kind of thing, in RAM or in flash, and nothing else.
 //!
-//! The kinds of objects are enumerated here and nowhere else: [`Scene::each`] is what searches, the range proof and bakers go
-//! by. How a scene is searched is no part of it, but an [`Accelerator`](crate::accelerator::Accelerator).
+//! The kinds of objects are enumerated here and nowhere else: searches and code generators go through [`Scene::each`], the range
+//! proof through [`Scene::looks`]. How a scene is searched is up to an [`Accelerator`](crate::accelerator::Accelerator).
 
 mod limits;
 
@@ -19,36 +19,36 @@ use crate::scalar::{Light, Scalar, Unit};
 pub use crate::shape::Floor;
 use crate::shape::{Cone, Cylinder, Ellipsoid, Look, Primitive, Sphere, SurfacePoint, Triangle};
 
-/// Is shown objects, a run of one list at a time.
+/// A visitor of a scene's objects. It is given a run of consecutive objects of one list at a time.
 pub trait Visit<S: Scalar> {
-    /// How far along the ray objects are of interest; shrinks as hits are found.
+    /// Returns the distance along the ray up to which objects are of interest; it shrinks as hits are found.
     fn t_max(&self) -> S {
         S::FAR
     }
 
-    /// Is shown the objects `run`, the first of which has the number `first` in the list of its kind; says whether it has
-    /// seen enough.
+    /// Visits the objects `run`, of which `first` names the first; the others follow it in its list. Returns `Break` to end the
+    /// search.
     fn run<P: Primitive<S>>(&mut self, first: Object, run: &[P]) -> ControlFlow<()>;
 }
 
-/// Declares the kinds of objects, one line each: its list in [`Scene`], its need, its type, and its name in errors. Of things
-/// that are equally near, the first in order of these lines is seen.
+/// Declares the kinds of objects, one line each: its list in [`Scene`], its type, its need, and its name in errors. Of equally
+/// near objects, the first in order of these lines is seen.
 macro_rules! lists {
     ($($(#[doc = $doc:literal])+ $list:ident: $Kind:ident if $NEED:ident, $name:literal;)+) => {
-        /// What a ray meets: which, in its list.
+        /// Names what a ray meets: its kind, and its number in the list of that kind, from 0.
         ///
-        /// Of things that are equally near, the first in this order is seen.
+        /// Of equally near objects, the first in this order is seen.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
         pub enum Object {
             /// The floor.
             Floor,
             $($(#[doc = $doc])+ $Kind(u32),)+
-            /// A visible lamp.
+            /// A lamp with a radius above 0.
             Lamp(u32),
         }
 
         impl Object {
-            /// Returns the object that comes `by` places later in the list of its kind.
+            /// Returns the object `by` places later in the list of its kind.
             pub const fn after(self, by: u32) -> Self {
                 match self {
                     Self::Floor => Self::Floor,
@@ -58,7 +58,7 @@ macro_rules! lists {
             }
         }
 
-        /// As a scene file counts: from 1.
+        /// Writes kind and number as a scene file counts: from 1.
         impl fmt::Display for Object {
             fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
                 let (name, index) = match *self {
@@ -70,7 +70,7 @@ macro_rules! lists {
             }
         }
 
-        /// A scene, but for the eye.
+        /// A scene: objects, lamps, floor, sky and ambient light. The eye is a [`Camera`](crate::camera::Camera).
         #[derive(Clone, Copy, Debug)]
         pub struct Scene<'a, S: Scalar> {
             $($(#[doc = $doc])+ pub $list: &'a [$Kind<S>],)+
@@ -78,20 +78,20 @@ macro_rules! lists {
             pub lamps: &'a [Lamp<S>],
             /// The floor, if there is one.
             pub floor: Option<Floor<S>>,
-            /// What a ray sees that meets nothing.
+            /// The light of rays that meet nothing.
             pub sky: Sky<S>,
-            /// Ambient light.
+            /// Ambient light, a radiance.
             pub ambient: Rgb<S::Light>,
         }
 
         impl<'a, S: Scalar> Scene<'a, S> {
-            /// A scene in which there is nothing but sky and ambient light.
+            /// Returns a scene of sky and ambient light, without objects, floor and lamps.
             pub const fn empty(sky: Sky<S>, ambient: Rgb<S::Light>) -> Self {
                 Scene { $($list: &[],)+ lamps: &[], floor: None, sky, ambient }
             }
 
-            /// Shows `visit` all lists of objects that `N` has need of, in order of [`Object`], until it has seen enough.
-            /// Floor and lamps are no objects of a list of primitives and are not shown.
+            /// Passes all lists of primitives that `N` compiles in to `visit`, in order of [`Object`]; floor and lamps are not
+            /// among them. Returns `Break` as soon as `visit` does.
             pub fn each<N: Needs>(&self, visit: &mut impl Visit<S>) -> ControlFlow<()> {
                 $(if N::$NEED {
                     visit.run(Object::$Kind(0), self.$list)?;
@@ -99,7 +99,7 @@ macro_rules! lists {
                 ControlFlow::Continue(())
             }
 
-            /// Shows `visit` one object, if it is in a list that `N` has need of.
+            /// Passes one object to `visit`, if it is in a list that `N` compiles in.
             pub fn one<N: Needs>(&self, object: Object, visit: &mut impl Visit<S>) -> ControlFlow<()> {
                 match object {
                     $(Object::$Kind(i) if N::$NEED => {
@@ -109,8 +109,8 @@ macro_rules! lists {
                 }
             }
 
-            /// Returns the surface point where a ray met an object at the distance `t`, and how the object looks; nothing for
-            /// floor, lamps and what is not there.
+            /// Returns the surface point where a ray meets an object at the distance `t`, and the object's look; `None` for
+            /// floor, lamps and numbers beyond the list.
             pub fn point<N: Needs>(
                 &self,
                 object: Object,
@@ -125,7 +125,7 @@ macro_rules! lists {
                 }
             }
 
-            /// Returns how an object looks; nothing for floor, lamps and what is not there.
+            /// Returns an object's look; `None` for floor, lamps and numbers beyond the list.
             pub fn look<N: Needs>(&self, object: Object) -> Option<Look<'a, S>> {
                 match object {
                     $(Object::$Kind(i) if N::$NEED => self.$list.get(index(i)).map(Primitive::look),)+
@@ -133,17 +133,17 @@ macro_rules! lists {
                 }
             }
 
-            /// Calls `see` with each object of the lists, in order.
+            /// Calls `see` with each object of the lists and its look, in order of [`Object`]; floor and lamps are left out.
             pub fn looks(&self, mut see: impl FnMut(Object, Look<'a, S>)) {
                 $((0..).zip(self.$list).for_each(|(i, object)| see(Object::$Kind(i), object.look()));)+
             }
 
-            /// Whether there is an object in a list.
+            /// Returns whether any of the lists has an object; floor and lamps do not count.
             pub const fn has_objects(&self) -> bool {
                 $(!self.$list.is_empty())||+
             }
 
-            /// Notes which shapes the scene has.
+            /// Sets in `used` which kinds of objects the scene has.
             pub(crate) fn note_shapes(&self, used: &mut Used) {
                 $(used.$list = !self.$list.is_empty();
                 self.$list.iter().for_each(|object| object.note_needs(used));)+
@@ -168,7 +168,7 @@ lists! {
 /// The nearest hit of a ray.
 #[derive(Clone, Copy, Debug)]
 pub struct Hit<S> {
-    /// Distance as the search found it.
+    /// Distance along the ray, as the search found it.
     pub distance: S,
     /// What was hit.
     pub object: Object,
@@ -185,9 +185,9 @@ pub struct Sky<S: Scalar> {
 }
 
 impl<S: Scalar> Sky<S> {
-    /// Returns the radiance that comes from a direction.
+    /// Returns the radiance that comes from a direction, a unit vector.
     pub fn radiance<N: Needs>(&self, direction: UnitVec3<S>) -> Rgb<S::Light> {
-        // A sum of parts of one colour would be rounded.
+        // Mixing a colour with itself would round it.
         if !N::SKY_GRADIENT || self.horizon == self.zenith {
             return self.horizon;
         }
@@ -198,7 +198,7 @@ impl<S: Scalar> Sky<S> {
 }
 
 impl<S: Scalar> Scene<'_, S> {
-    /// An empty plain under a blue sky, by day.
+    /// Returns an empty chequered floor under a blue sky by day, with ambient light and no lamp.
     pub fn day() -> Self {
         let unit = |n| S::Unit::ratio(n, 100);
         let light = |r, g, b| Rgb::new(unit(r), unit(g), unit(b)).map(|part| S::Light::WHITE.times(part));
@@ -210,7 +210,7 @@ impl<S: Scalar> Scene<'_, S> {
     }
 }
 
-/// A number in a list as an index; of one that is too large for the machine, an index beyond all lists.
+/// Returns a number as an index; for one that is too large for the machine, an index beyond all lists.
 pub(crate) fn index(number: u32) -> usize {
     usize::try_from(number).unwrap_or(usize::MAX)
 }

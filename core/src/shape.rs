@@ -1,11 +1,11 @@
-//! The primitives, each its own file: where a ray meets it, and what the surface is like there.
+//! The primitives, each in its own file: where a ray meets it, and place and normal of the hit.
 //!
-//! The search for the nearest hit asks each primitive for a distance, in the length's own format. What it finds is then
-//! looked at once more, from nearby: the point is computed relative to the object and its size, so that the normal has
-//! the precision of a unit vector, and the point lies on the surface to within its own rounding.
+//! The search for the nearest hit asks each primitive for a distance only. For the nearest one the hit is then computed once
+//! more, relative to the object's centre and in units of its size, so that the normal has the precision of a unit vector and
+//! the point lies on the surface to within its own rounding.
 //!
-//! A new primitive is one file here that implements [`Primitive`], a line in [`scene`](crate::scene) that gives it a list, and one
-//! in [`needs`](crate::needs) that lets programs leave it out.
+//! To add a primitive: a file here that implements [`Primitive`], a line in [`scene`](crate::scene) that gives it a list, and a
+//! line in [`needs`](crate::needs) that lets programs leave it out.
 
 mod cone;
 mod cylinder;
@@ -28,21 +28,21 @@ use crate::ray::Ray;
 use crate::scalar::Scalar;
 use crate::scalar::vector::{UnitVec3, Vec3};
 
-/// A thing that a ray can meet.
+/// A kind of object that a ray can meet.
 pub trait Primitive<S: Scalar> {
-    /// Whether it has an end in every direction. What has none is not held by a hierarchy, but asked by every ray.
+    /// Whether the object is finite. An infinite one is in no hierarchy: every ray tests it.
     const IS_FINITE: bool = true;
 
-    /// Returns the distance of the nearest hit in ]0, `t_max`[ along the ray, if there is one.
+    /// Returns the distance of the nearest hit along the ray, above 0 and below `t_max`, if there is one.
     fn intersect(&self, ray: &Ray<S>, t_max: S) -> Option<S>;
 
-    /// Returns the surface point where [`Primitive::intersect`] found the distance `t`.
+    /// Returns the surface point of the hit for which [`Primitive::intersect`] returned the distance `t`.
     fn point<N: Needs>(&self, ray: &Ray<S>, t: S) -> SurfacePoint<S>;
 
-    /// Returns its colour and material, and where it is.
+    /// Returns the object's colour, material and bounding sphere.
     fn look(&self) -> Look<'_, S>;
 
-    /// Notes what it needs of a program besides its own kind.
+    /// Sets in `used` what the object needs to be compiled in besides its own kind.
     fn note_needs(&self, _used: &mut Used) {}
 }
 
@@ -51,30 +51,30 @@ pub trait Primitive<S: Scalar> {
 pub struct SurfacePoint<S: Scalar> {
     /// Distance from the ray's origin.
     pub distance: S,
-    /// The place, on the surface to within its rounding.
+    /// The place, which lies on the surface to within its rounding.
     pub point: Vec3<S>,
-    /// The unit normal on the outside.
+    /// The unit normal, which points outwards.
     pub normal: UnitVec3<S>,
 }
 
-/// What an object looks like, and where it is.
+/// An object's colour, material and bounding sphere.
 #[derive(Clone, Copy, Debug)]
 pub struct Look<'a, S: Scalar> {
     /// Reflectance of the surface.
     pub color: Rgb<S::Unit>,
     /// What the surface does with light.
     pub material: &'a Material<S>,
-    /// The size that [`clearance`](crate::scalar::vector::LengthVector::clearance) is told where a ray leaves the surface.
+    /// Size of the object, from which [`clearance`](crate::scalar::vector::LengthVector::clearance) is computed.
     pub extent: S,
     /// A place of the object, its centre where it has one.
     pub center: Vec3<S>,
-    /// Radius of a sphere about `center` that holds the object.
+    /// Radius of a sphere about `center` that contains the object; of an infinite one, its own radius.
     pub radius: S,
-    /// The smallest radius of the object.
+    /// The smallest radius of the object, which must be above 0.
     pub least: S,
 }
 
-/// The nearer of two distances along a ray that lies ahead, if it is short of `t_max`.
+/// Returns the smaller of `near` and `far` that is above 0, if it is below `t_max`; `near` is at most `far`.
 fn ahead<S: Scalar>(near: S, far: S, t_max: S) -> Option<S> {
     let t = if near > S::ZERO { near } else { far };
     (t > S::ZERO && t < t_max).then_some(t)

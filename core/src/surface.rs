@@ -1,4 +1,4 @@
-//! What an illumination model is asked about: a point of a surface, and the ray that met it.
+//! The input of an illumination model: a point of a surface, and the ray that meets it.
 
 use crate::color::Rgb;
 use crate::material::Material;
@@ -6,22 +6,22 @@ use crate::needs::Needs;
 use crate::scalar::vector::{UnitVec3, Vec3};
 use crate::scalar::{Scalar, Unit};
 
-/// The point of a surface that a ray has met.
+/// A point of a surface that a ray meets.
 #[derive(Clone, Copy, Debug)]
 pub struct Surface<'a, S: Scalar> {
-    /// The place.
+    /// The place of the point.
     pub point: Vec3<S>,
-    /// Unit normal, turned towards the ray's origin. The other side's is its negative.
+    /// Unit normal on the side from which the ray comes.
     pub normal: UnitVec3<S>,
-    /// Unit direction of the ray that came here: the view direction is its negative.
+    /// Unit direction of the ray that meets the surface; the view direction is its negative.
     pub incoming: UnitVec3<S>,
-    /// How far the ray came; where it came from [`Surface::inside`], that is its way through the material.
+    /// Length of the ray up to the point; for a ray from [`Surface::inside`], its way through the material.
     pub distance: S,
-    /// Whether the ray hit the surface from the inside.
+    /// Whether the ray meets the surface from the inside.
     pub inside: bool,
-    /// The size that [`clearance`](crate::scalar::vector::LengthVector::clearance) is told of the object.
+    /// Size of the object, from which [`clearance`](crate::scalar::vector::LengthVector::clearance) is computed.
     pub extent: S,
-    /// Reflectance.
+    /// Reflectance of the surface, for each register.
     pub color: Rgb<S::Unit>,
     /// What the surface does with light.
     pub material: &'a Material<S>,

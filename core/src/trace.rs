@@ -1,9 +1,10 @@
-//! The ray tree, walked with a flat stack (T. Whitted 1980; no recursion).
+//! The ray tree (T. Whitted 1980), walked with a stack of pending rays instead of recursion.
 //!
-//! A pending ray carries its weight: what part of its light arrives in the pixel. Weights multiply on the way down and
-//! contributions add up, so nothing has to be kept of the way back.
+//! A pending ray carries its weight: the part of its light that arrives in the pixel. Weights are multiplied on the way down
+//! and contributions are added up, so no way back up the tree is needed. Shadow rays are traced here too, one for each lamp
+//! that would light the point.
 //!
-//! What is decided at one point stands in [`decision`], apart from how directions are computed.
+//! Which secondary rays a point spawns, and with which weights, is decided in [`decision`].
 
 pub mod decision;
 mod observer;
@@ -30,10 +31,10 @@ use crate::scalar::{Light, Scalar, Unit};
 use crate::surface::Surface;
 use crate::world::Seen;
 
-/// Draws a scene with an illumination model.
+/// Traces rays through a scene in the scalar `S` with the illumination model `M`; `N` says what is compiled in.
 ///
-/// `STACK` is the deepest recursion it can be asked for: of the two rays that a point of a glass asks for, one is
-/// followed at once and one waits, so that at most one waits for each level. `A` is how the scene is searched.
+/// `STACK` is the greatest recursion depth: of the two rays that glass spawns one is followed at once and one waits, so that
+/// at most one waits for each level. `A` is how the scene is searched.
 #[derive(Clone, Copy, Debug)]
 pub struct Tracer<'a, S: Scalar, M, N, const STACK: usize, A = Lists> {
     scene: Admitted<'a, S, A>,
@@ -43,30 +44,30 @@ pub struct Tracer<'a, S: Scalar, M, N, const STACK: usize, A = Lists> {
     needs: PhantomData<fn() -> N>,
 }
 
-/// A ray that waits for its turn.
+/// A ray that is still to be traced.
 #[derive(Clone, Copy, Debug)]
 pub struct Pending<S: Scalar, W> {
-    /// The ray.
+    /// Where it starts and where it goes.
     pub start: Start<S>,
     /// Its place in the tree.
     pub branch: Branch<W>,
 }
 
-/// The rays that wait for their turn.
+/// The stack of rays that are still to be traced.
 pub type Stack<S, W, const STACK: usize> = Vec<Pending<S, W>, STACK>;
 
 impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Accelerator<S>>
     Tracer<'a, S, M, N, STACK, A>
 {
-    /// Bytes of the stack of pending rays: what the ray tree costs beyond one ray.
+    /// The size of the stack of pending rays in bytes: the memory that the ray tree takes.
     ///
-    /// In `Q16`, `Q20` and `f32` a ray that waits takes 40 bytes with [`Rta`](crate::illumination::Rta)'s weights of three
+    /// In `Q16`, `Q20` and `f32` a pending ray takes 40 bytes with [`Rta`](crate::illumination::Rta)'s weights of three
     /// registers and 32 with [`Whitted`](crate::illumination::Whitted)'s of one; at depth 5 that is 208 and 168 bytes
     /// with the length of the stack, on a machine of 64 bits.
     pub const STACK_BYTES: usize = size_of::<Stack<S, M::Weight, STACK>>();
 
-    /// A tracer that follows rays through `depth` reflections and refractions: the eye's ray is depth 0, and a ray of
-    /// depth `depth` spawns nothing.
+    /// Returns a tracer that follows rays through `depth` reflections and refractions: the primary ray has depth 0, and a ray
+    /// of depth `depth` spawns no secondary rays.
     ///
     /// # Errors
     /// [`Error::Depth`] where `depth` exceeds the capacity `STACK`.
@@ -79,30 +80,30 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Acceler
         Ok(Self { scene, model, depth, cutoff: S::Unit::ZERO, needs: PhantomData })
     }
 
-    /// Sets the contribution cut-off: a ray that would bring less than the part `cutoff` of its light into the pixel is not
-    /// traced. This is adaptive depth (R. Hall and D. Greenberg, "A Testbed for Realistic Image Synthesis", IEEE CG&A 3,
-    /// 1983). 0, the default, traces all.
+    /// Returns the tracer with a contribution cut-off: a secondary ray whose weight is below `cutoff` is not traced. This is
+    /// adaptive depth (R. Hall and D. Greenberg, "A Testbed for Realistic Image Synthesis", IEEE CG&A 3,
+    /// 1983). The default, 0, traces all.
     pub fn with_cutoff(self, cutoff: S::Unit) -> Self {
         Self { cutoff, ..self }
     }
 
-    /// Returns scene, model, depth and cut-off, for a loop that traces several rays side by side.
+    /// Returns scene, model, depth and cut-off, for a loop outside the core that traces several rays side by side.
     pub const fn parts(&self) -> (&Admitted<'a, S, A>, &M, u8, S::Unit) {
         (&self.scene, &self.model, self.depth, self.cutoff)
     }
 
-    /// Returns the light that comes in along the eye's ray with a camera's direction.
+    /// Returns the radiance that arrives at the camera's eye along the primary ray in `direction`, from the whole ray tree.
     pub fn primary(&self, camera: &Camera<S>, direction: UnitVec3<S>) -> Rgb<S::Light> {
         self.radiance(camera.eye, direction)
     }
 
-    /// Returns the light that arrives at `origin` against `direction`, from all of the ray tree.
+    /// Returns the radiance that a ray from `origin` in the unit direction `direction` brings back, from the whole ray tree.
     pub fn radiance(&self, origin: Vec3<S>, direction: UnitVec3<S>) -> Rgb<S::Light> {
         self.trace(origin, direction, &mut A::Memory::default(), &mut ())
     }
 
-    /// Returns the light that arrives at `origin` against `direction`, from all of the ray tree. `memory` is what the
-    /// accelerator keeps from ray to ray; `observer` is told of every ray.
+    /// Returns the radiance that a ray from `origin` in the unit direction `direction` brings back, from the whole ray tree.
+    /// `memory` is what the accelerator keeps from ray to ray; `observer` is told of every ray.
     #[cfg_attr(not(target_os = "none"), inline(always))]
     pub fn trace<O: Observer<S> + ?Sized>(
         &self,
@@ -135,7 +136,7 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Acceler
         }
     }
 
-    /// Returns what one ray brings of its own, and the surface that it has met.
+    /// Returns the radiance of one ray without its secondary rays, and the surface that it meets, if any.
     #[cfg_attr(not(target_os = "none"), inline(always))]
     fn local<O: Observer<S> + ?Sized>(
         &self,
@@ -175,8 +176,8 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Acceler
         if A::WITH_PLAN { self.scene.ray::<N>(origin, direction) } else { Ray::new(origin, direction) }
     }
 
-    /// Returns what part of a lamp's light comes through to a surface that sends back `light` of it: 1 where that is dark
-    /// anyway.
+    /// Returns the part of a lamp's light that arrives at a surface, 0 to 1. Here it is decided whether a shadow ray is traced:
+    /// not where `light`, what the surface would send back, is dark anyway; then the result is 1.
     #[cfg_attr(not(target_os = "none"), inline(always))]
     fn unshadowed<O: Observer<S> + ?Sized>(
         &self,
@@ -199,7 +200,7 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Acceler
         self.scene.accelerator().transmittance::<N>(&self.scene, &ray, t_max, number, memory)
     }
 
-    /// Spawns the secondary rays of a surface: the transmitted one waits, the reflected one is to be followed at once.
+    /// Spawns the secondary rays of a surface: pushes the transmitted one and returns the reflected one, which is followed next.
     #[cfg_attr(not(target_os = "none"), inline(always))]
     fn spawn<O: Observer<S> + ?Sized>(
         &self,

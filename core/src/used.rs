@@ -1,4 +1,4 @@
-//! What a scene uses of [`Needs`]: which constants a program that draws only this scene can set to false.
+//! Finds which constants of [`Needs`] a scene uses; a program that draws only this scene can set the others to false.
 
 use crate::material::{Finish, Material};
 pub use crate::needs::Used;
@@ -7,8 +7,8 @@ use crate::scalar::{Scalar, Unit};
 use crate::scene::Scene;
 
 impl Used {
-    /// Returns what a scene uses. `specular` is whether the illumination model lets shiny surfaces reflect, and mirrors and
-    /// glass show highlights.
+    /// Returns what a scene uses. `specular` is the illumination model's
+    /// [`SPECULAR`](crate::illumination::Illumination::SPECULAR).
     pub fn by<S: Scalar>(scene: &Scene<S>, specular: bool) -> Self {
         let mut used = Self::default();
         scene.note_shapes(&mut used);
@@ -40,8 +40,8 @@ impl Used {
     }
 }
 
-/// Returns the name of the first constant that is false in `N` although the scene uses what it stands for with a model that
-/// is not specular, as [`Rta`](crate::illumination::Rta). Shadows may be left out on purpose.
+/// Returns the name of the first constant that is false in `N` although the scene uses it with a model that is not specular,
+/// such as [`Rta`](crate::illumination::Rta); `None` if there is none. Shadows may be left out on purpose.
 pub fn missing<N: Needs, S: Scalar>(scene: &Scene<S>) -> Option<&'static str> {
     let waived = |name| !N::SHADOWS && matches!(name, "SHADOWS" | "TRANSPARENT_SHADOWS");
     let (used, there) = (Used::by(scene, false).named(), Used::of::<N>().named());

@@ -1,4 +1,4 @@
-//! A scene with its limits: what a ray through it sees.
+//! A scene with its limits: what is seen along a ray.
 
 use crate::color::Rgb;
 use crate::material::Material;
@@ -10,33 +10,33 @@ use crate::scene::{Hit, Limits, Object, Scene, index};
 use crate::shape::{Look, SurfacePoint};
 use crate::surface::Surface;
 
-/// A scene, and where what has no end ends in it.
+/// A scene, and how far its infinite objects are seen.
 #[derive(Clone, Copy, Debug)]
 pub struct World<'a, S: Scalar> {
     /// The scene.
     pub scene: Scene<'a, S>,
-    /// How far it is seen and lit.
+    /// How far floor and vertical cylinders are seen and lit.
     pub limits: Limits<S>,
 }
 
-/// What a ray sees.
+/// What is seen along a ray.
 #[derive(Clone, Copy, Debug)]
 pub enum Seen<'a, S: Scalar> {
-    /// The sky, or a lamp: its radiance.
+    /// The radiance of the sky or of a visible lamp.
     Light(Rgb<S::Light>),
-    /// A surface.
+    /// A surface, which an illumination model shades.
     Surface(Surface<'a, S>),
 }
 
 impl<'a, S: Scalar> World<'a, S> {
-    /// Returns a ray that all objects of the scene can be asked about.
+    /// Returns a ray for which all objects of the scene can be tested: with a plan where there are vertical cylinders.
     pub fn ray<N: Needs>(&self, origin: Vec3<S>, direction: UnitVec3<S>) -> Ray<S> {
         let ray = Ray::new(origin, direction);
         let has_cylinders = N::CYLINDERS && !self.scene.cylinders.is_empty();
         if has_cylinders { ray.with_plan(self.limits.cylinder_end) } else { ray }
     }
 
-    /// Returns the distance at which a ray meets the floor, if there is one and it does.
+    /// Returns the distance at which a ray meets the floor, if there is a floor and the ray meets it.
     pub fn floor<N: Needs>(&self, ray: &Ray<S>) -> Option<S> {
         if N::FLOOR { self.scene.floor.as_ref().and_then(|floor| floor.intersect(ray)) } else { None }
     }

@@ -1,10 +1,10 @@
 //! A bounding volume hierarchy (J. Goldsmith and J. Salmon, "Automatic Creation of Object Hierarchies for Ray Tracing", IEEE
-//! CG&A 7, 1987), made ahead and borrowed, walked without a stack.
+//! CG&A 7, 1987), built ahead and borrowed, walked without a stack.
 //!
-//! The volumes are spheres, so that a node costs what a sphere costs and no direction has to be inverted. Nodes lie in
+//! The volumes are spheres, so that no direction has to be inverted. Nodes lie in
 //! preorder, and each knows where the walk goes on if the ray misses it (B. Smits, "Efficiency Issues for Ray Tracing", 1998).
-//! A leaf stands for a run of [`Bvh::order`], or of the scene's spheres in their own order. Nothing is left out that the
-//! ray meets: the radius of a node is [`Scalar::padded`] by what its test and that of an object in it can be wrong together.
+//! A leaf holds a run of [`Bvh::order`], or of the scene's list of spheres. No hit is lost to rounding: the radius of a node is
+//! [`Scalar::padded`] by the greatest error of its test and of the test of an object in it.
 
 use core::hash::{Hash, Hasher};
 use core::ops::ControlFlow;
@@ -17,28 +17,28 @@ use crate::scalar::{Scalar, Unit};
 use crate::scene::{Object, Scene, Visit, index};
 use crate::shape::{Primitive, Sphere};
 
-/// A node: a sphere about a run of objects.
+/// A node: a bounding sphere about a run of consecutive objects.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Node<S: Scalar> {
-    /// Centre.
+    /// Centre of the bounding sphere.
     pub center: Vec3<S>,
-    /// Radius, more than 0 and at most [`Node::largest_radius`]: the objects of the run lie within.
+    /// Its radius, more than 0 and at most [`Node::largest_radius`].
     pub radius: S,
-    /// The first object of the run.
+    /// Index of the first object of the run.
     pub first: u32,
-    /// The object after the last of the run.
+    /// Index after the last object of the run.
     pub end: u32,
-    /// The node after all that lie below this one; a leaf has none below.
+    /// Index of the node after all descendants of this one, where the walk goes on after a miss.
     pub skip: u32,
 }
 
 impl<S: Scalar> Node<S> {
-    /// Half of the largest length, the most that a node's radius may be.
+    /// Returns the largest radius that a node may have: half of the largest length.
     pub fn largest_radius() -> S {
         S::FAR.scale(S::Unit::ratio(1, 2))
     }
 
-    /// Whether a ray may meet an object of the run nearer than `t_max`.
+    /// Returns whether a ray may meet an object of the run nearer than `t_max`.
     fn is_met(&self, ray: &Ray<S>, t_max: S) -> bool {
         let displacement = self.center - ray.origin;
         let b = displacement.dot(ray.direction);
@@ -50,13 +50,13 @@ impl<S: Scalar> Node<S> {
     }
 }
 
-/// A hierarchy over the finite objects of a scene.
+/// A bounding volume hierarchy over the finite objects of a scene.
 #[derive(Clone, Copy, Debug)]
 pub struct Bvh<'a, S: Scalar> {
     /// Nodes in preorder, the root first.
     pub nodes: &'a [Node<S>],
-    /// Every finite object of the scene once: what the nodes' runs are of. Where it is empty, they are of the scene's list of
-    /// spheres, and the other lists are gone through one object after the other.
+    /// Every finite object of the scene once; the nodes' runs are runs of this list. Where it is empty, they are runs of the
+    /// scene's list of spheres, and the objects of the other lists are tested one after the other.
     pub order: &'a [Object],
 }
 
@@ -80,8 +80,8 @@ impl<S: Scalar> Accelerator<S> for Bvh<'_, S> {
         })
     }
 
-    /// Containment is checked of spheres in their own order. Of other objects it is the builder's promise: where a node is too
-    /// small, something is not seen, and nothing else happens.
+    /// Whether nodes contain their objects is checked only where [`Bvh::order`] is empty. Otherwise it is up to the builder: an
+    /// object outside its node may be missing from the picture.
     fn check(&self, scene: &Scene<'_, S>) -> Result<(), WrongNode> {
         let held = if self.order.is_empty() { scene.spheres.len() } else { self.order.len() };
         let mut covered = 0;
@@ -115,7 +115,7 @@ impl<S: Scalar> Accelerator<S> for Bvh<'_, S> {
 }
 
 impl<S: Scalar> Bvh<'_, S> {
-    /// Whether a node contains its run of spheres; of objects in another order that is not asked.
+    /// Returns whether a node contains its run of spheres; true where [`Bvh::order`] is not empty.
     fn contains_spheres(&self, node: &Node<S>, scene: &Scene<'_, S>) -> bool {
         let run = scene.spheres.get(index(node.first)..index(node.end));
         let contains = |sphere: &Sphere<S>| {
@@ -126,7 +126,7 @@ impl<S: Scalar> Bvh<'_, S> {
     }
 }
 
-/// Walks the nodes that a ray may meet something in, and calls `leaf` with the run of each leaf.
+/// Walks the nodes in which the ray may meet an object, and calls `leaf` with the run of each leaf.
 fn walk<S: Scalar, V: Visit<S>>(
     nodes: &[Node<S>],
     ray: &Ray<S>,
@@ -148,7 +148,7 @@ fn walk<S: Scalar, V: Visit<S>>(
     ControlFlow::Continue(())
 }
 
-/// Shows the spheres by the nodes over them, and all other lists whole.
+/// A visitor that passes on the spheres that the nodes leave over, and all other lists whole.
 struct OverSpheres<'a, S: Scalar, V> {
     nodes: &'a [Node<S>],
     ray: &'a Ray<S>,
@@ -168,7 +168,7 @@ impl<S: Scalar, V: Visit<S>> Visit<S> for OverSpheres<'_, S, V> {
     }
 }
 
-/// Shows only lists of what has no end, which is in no node.
+/// A visitor that passes on only the lists of infinite objects, which are in no node.
 struct OfEndless<'a, V>(&'a mut V);
 
 impl<S: Scalar, V: Visit<S>> Visit<S> for OfEndless<'_, V> {
@@ -177,8 +177,8 @@ impl<S: Scalar, V: Visit<S>> Visit<S> for OfEndless<'_, V> {
     }
 }
 
-/// How many finite objects there are, and a sum of hashes of their names: two sets of objects that agree in both are equal but
-/// for one case in 2^64, and no list has to be kept to tell.
+/// The number of some objects and the sum of their hashes. Two sets that agree in both are equal but for one case in 2^64; so
+/// they are compared without memory for a list.
 #[derive(Default, PartialEq)]
 struct Names {
     count: usize,

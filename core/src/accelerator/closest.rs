@@ -9,16 +9,16 @@ use crate::scalar::Scalar;
 use crate::scene::{Hit, Object, Visit};
 use crate::shape::{Primitive, Sphere};
 
-/// The nearest hit of a ray so far. Where objects come `IN_ORDER` of [`Object`], a later one has to be nearer to be seen.
+/// The nearest hit of a ray so far. Where objects come `IN_ORDER` of [`Object`], a later one counts only if it is nearer.
 pub(super) struct Closest<'r, S: Scalar, const IN_ORDER: bool> {
     ray: &'r Ray<S>,
-    /// Only what is nearer than this is looked at.
+    /// Only hits nearer than this are of interest.
     t_max: S,
     hit: Option<Hit<S>>,
 }
 
 impl<'r, S: Scalar, const IN_ORDER: bool> Closest<'r, S, IN_ORDER> {
-    /// For a ray that meets the floor at the distance `floor`, if it does.
+    /// Starts the search for a ray that meets the floor at the distance `floor`, if at all.
     pub(super) fn new(ray: &'r Ray<S>, floor: Option<S>) -> Self {
         let mut closest = Self { ray, t_max: S::FAR, hit: None };
         if let Some(distance) = floor {
@@ -30,12 +30,12 @@ impl<'r, S: Scalar, const IN_ORDER: bool> Closest<'r, S, IN_ORDER> {
     }
 
     fn take(&mut self, hit: Hit<S>) {
-        // Out of order, what is as near has to be looked at too.
+        // Out of order, an equally near object may come first in order of `Object`.
         self.t_max = if IN_ORDER { hit.distance } else { hit.distance.next_up() };
         self.hit = Some(hit);
     }
 
-    /// The hit, or the lamp in front of it.
+    /// Returns the nearest hit, visible lamps included.
     pub(super) fn with_lamps<N: Needs>(mut self, lamps: &[Lamp<S>]) -> Option<Hit<S>> {
         if N::VISIBLE_LAMPS {
             for (i, lamp) in (0..).zip(lamps) {

@@ -1,4 +1,4 @@
-//! The visitors that find what of a lamp's light comes through to a surface.
+//! The visitors that find the part of a lamp's light that reaches a surface.
 
 use core::marker::PhantomData;
 use core::ops::ControlFlow;
@@ -14,11 +14,11 @@ use crate::scene::{Object, Visit};
 use crate::shape::Primitive;
 use crate::world::World;
 
-/// So many transparent objects on the way of a ray are kept and sorted. Where there are as many, which is rare, the objects
-/// are gone through in the order of their lists.
+/// Room for the transparent objects in the way of a shadow ray. Where there are as many or more, which is rare, the scene is
+/// searched again in the order of its lists.
 const MANY: usize = 8;
 
-/// Returns what part of the light the candidates of an accelerator let through.
+/// Returns the part, 0 to 1, of the light that the candidates of an accelerator let through.
 pub(super) fn through<S: Scalar, N: Needs, A: Accelerator<S>>(
     accelerator: &A,
     world: &World<'_, S>,
@@ -38,7 +38,7 @@ pub(super) fn through<S: Scalar, N: Needs, A: Accelerator<S>>(
     visitor.filters.product().unwrap_or_else(|| through::<S, N, _>(&Lists, world, ray, t_max))
 }
 
-/// Meets the objects on the way of a shadow ray, and ends where nothing is left of its light.
+/// Visits the objects in the way of a shadow ray, and stops where none of its light is left.
 struct Through<'r, S: Scalar, N, F> {
     ray: &'r Ray<S>,
     t_max: S,
@@ -64,13 +64,13 @@ impl<S: Scalar, N: Needs, F: Filter<S>> Visit<S> for Through<'_, S, N, F> {
     }
 }
 
-/// What part of the light is left behind transparent objects.
+/// Collects the transparent objects in the way of a shadow ray.
 trait Filter<S: Scalar> {
-    /// Lets the part `kt` through; ends where nothing is left.
+    /// Adds an object that lets the part `kt` through; returns `Break` where no light is left.
     fn filter(&mut self, object: Object, kt: S::Unit) -> ControlFlow<()>;
 }
 
-/// The product so far, of objects that come in order.
+/// Multiplies at once, for objects that come in order.
 impl<S: Scalar<Unit = U>, U: Unit> Filter<S> for U {
     fn filter(&mut self, _object: Object, kt: U) -> ControlFlow<()> {
         *self = self.times(kt);
@@ -85,30 +85,30 @@ impl<S: Scalar, const MOST: usize> Filter<S> for Filters<S, MOST> {
     }
 }
 
-/// Returns the part of a shadow ray's light that a material lets through; nothing where it casts a full shadow.
+/// Returns the part of a shadow ray's light that a material lets through, 0 to 1; `None` where it casts a full shadow.
 pub fn transmitted<S: Scalar, N: Needs>(material: &Material<S>) -> Option<S::Unit> {
     if N::TRANSPARENT_SHADOWS { material.glass::<N>().map(|glass| glass.kt) } else { None }
 }
 
-/// The transparent objects on the way of a shadow ray, met in any order and kept in order of [`Object`]: the product of what
-/// they let through depends on it by its roundings. There is room for fewer than `MOST`.
+/// The transparent objects in the way of a shadow ray, added in any order and sorted in order of [`Object`], on which the
+/// rounding of their product depends. There is room for fewer than `MOST`.
 pub struct Filters<S: Scalar, const MOST: usize>(Vec<(Object, S::Unit), MOST>);
 
 impl<S: Scalar, const MOST: usize> Filters<S, MOST> {
-    /// No object.
+    /// Returns an empty list.
     #[allow(clippy::new_without_default, reason = "one way is enough")]
     pub const fn new() -> Self {
         Self(Vec::new())
     }
 
-    /// Whether nothing was met.
+    /// Returns whether no object was added.
     pub fn is_empty(&self) -> bool {
         self.0.is_empty()
     }
 
     /// Adds an object that lets the part `kt` through.
     pub fn add(&mut self, object: Object, kt: S::Unit) {
-        // When it is full, what is in it does not matter any more.
+        // Once it is full, its content does not matter: `product` returns `None`.
         let _ = self.0.push((object, kt));
         let mut rest = self.0.as_mut_slice();
         while let [.., before, last] = rest
@@ -120,7 +120,7 @@ impl<S: Scalar, const MOST: usize> Filters<S, MOST> {
         }
     }
 
-    /// Returns what comes through all of them; nothing if they were too many.
+    /// Returns the part of the light that passes all of them, 0 to 1; `None` if they were too many.
     pub fn product(&self) -> Option<S::Unit> {
         let part = self.0.iter().fold(S::Unit::ONE, |part, (_, kt)| part.times(*kt));
         (!self.0.is_full()).then_some(part)

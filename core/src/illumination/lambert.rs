@@ -15,7 +15,7 @@ use crate::surface::Surface;
 pub struct Lambert;
 
 impl<S: Scalar> Illumination<S> for Lambert {
-    /// No ray is spawned, so that any weight will do.
+    /// The model has no secondary rays, so any weight type would do.
     type Weight = S::Unit;
 
     fn ambient<N: Needs>(&self, surface: &Surface<S>, ambient: Rgb<S::Light>) -> Rgb<S::Light> {

@@ -1,5 +1,5 @@
 //! B. T. Phong, "Illumination for Computer Generated Pictures", Communications of the ACM 18 (1975), with the secondary
-//! rays of Whitted: how scenes in NFF are meant to be drawn.
+//! rays of Whitted: the model that the scene format NFF assumes.
 
 use super::{Illumination, Secondary, Whitted};
 use crate::color::Rgb;
@@ -11,8 +11,8 @@ use crate::surface::Surface;
 
 /// `I = Ia C ka kd + sum [kd (N.L) C + ks (R.L)^n] I + ks I_ref + kt I_tra`
 ///
-/// R is the reflection of the ray. All else is [`Whitted`]'s: lamps are not attenuated, coefficients are those of the
-/// finish, or Whitted's for the thesis's types.
+/// R is the direction of the reflected ray. Everything else is as in [`Whitted`]: lamps are not attenuated, and coefficients
+/// are those of the finish, or for the thesis's materials those of `Whitted`.
 #[derive(Clone, Copy, Debug)]
 pub struct Phong<S: Scalar>(pub Whitted<S>);
 

@@ -1,4 +1,4 @@
-//! The thesis's modified Whitted model.
+//! The modified Whitted model of the thesis (Graham 1987).
 
 use super::{Illumination, Secondary};
 use crate::color::Rgb;
@@ -11,9 +11,9 @@ use crate::surface::Surface;
 
 /// `I = kd { [(N.CENIT + k1) k2] Ia C + sum S [(1 - B) (L.N) / d^2 C + B] I } + ks I_ref C + kt I_tra`
 ///
-/// Lamps are attenuated with the square of the distance. A highlight `B` is a lamp's image, cut out at 13 degrees: a
-/// shiny surface that reflects the ray to within that angle of the lamp shows the lamp's full intensity. Mirrors colour
-/// what they reflect, glass does so for the reflected part alone.
+/// Lamps are attenuated with the square of the distance. The highlight `B` is 1 or 0: a shiny surface shows the lamp's full
+/// intensity where the reflected ray is within 13 degrees of the direction to the lamp. Mirrors colour the light that they
+/// reflect; glass colours the reflected light, not the transmitted.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Rta;
 

@@ -11,8 +11,8 @@ use crate::surface::Surface;
 
 /// `I = Ia C ka + kd sum (N.L) C I + ks (I_ref + sum (N.H)^n I) + kt I_tra`
 ///
-/// Lamps are not attenuated; an intensity above 1, as an attenuated lamp needs it, counts as 1. Mirrors are colourless.
-/// The thesis's materials say only what kind they are, so the coefficients of the kinds are the model's:
+/// Lamps are not attenuated; an intensity above 1, as scenes for attenuated lamps have it, counts as 1. Mirrors are
+/// colourless. The thesis's materials have no coefficients, so the model supplies them:
 ///
 /// | material | ka | kd | ks | kt |
 /// | --- | --- | --- | --- | --- |
@@ -27,7 +27,7 @@ pub struct Whitted<S: Scalar> {
     pub ka: S::Unit,
     /// Specular coefficient of shiny surfaces, 0 to 1; the rest of their light is diffuse.
     pub shine: S::Unit,
-    /// Exponent of the highlight: the larger, the smaller.
+    /// Exponent of the highlight: the larger the exponent, the smaller the highlight.
     pub exponent: u32,
 }
 
@@ -39,7 +39,7 @@ impl<S: Scalar> Default for Whitted<S> {
 }
 
 impl<S: Scalar> Whitted<S> {
-    /// kd, ks and the exponent of highlights.
+    /// Returns kd, ks and the exponent of highlights for a material.
     pub(super) fn coefficients<N: Needs>(&self, material: &Material<S>) -> (S::Unit, S::Unit, u32) {
         let (zero, one) = (S::Unit::ZERO, S::Unit::ONE);
         if let Some(finish) = material.finish::<N>() {
@@ -54,7 +54,7 @@ impl<S: Scalar> Whitted<S> {
         (kd, ks, self.exponent)
     }
 
-    /// What the point sends back of one lamp, where a highlight is a power of the cosine `highlight`.
+    /// Returns the radiance that the point sends back of one lamp; `highlight` computes the cosine whose power the highlight is.
     pub(super) fn lit<N: Needs>(
         &self,
         surface: &Surface<S>,

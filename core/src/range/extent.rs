@@ -1,4 +1,4 @@
-//! Where a scene lies: its box, the ball about the box's centre, and how far apart two of its places can be.
+//! The extent of a scene: its box, the ball about the box's centre, and the greatest distance between two places.
 
 use super::Worst;
 use crate::accelerator::Accelerator;
@@ -7,7 +7,7 @@ use crate::scalar::vector::{Vec3, Vector};
 use crate::scalar::{Magnitude, Scalar, Unit};
 use crate::scene::{Object, Scene};
 
-/// The box of a scene, at a quarter of its size so that no sum of two of its numbers leaves the format.
+/// The bounding box of a scene, scaled to a quarter so that no sum of two coordinates leaves the format.
 pub(super) struct Extent<'a, 's, S: Scalar, A> {
     scene: &'a Scene<'s, S>,
     eye: Vec3<S>,
@@ -16,22 +16,22 @@ pub(super) struct Extent<'a, 's, S: Scalar, A> {
     high: [S; 3],
 }
 
-/// A quarter.
+/// Returns a quarter of a length.
 fn quarter<S: Scalar>(length: S) -> S {
     length.scale(S::Unit::ratio(1, 4))
 }
 
-/// Half.
+/// Returns half of a length.
 fn half<S: Scalar>(length: S) -> S {
     length.scale(S::Unit::ratio(1, 2))
 }
 
-/// The three coordinates.
+/// Returns the three coordinates of a place.
 fn axes<S: Scalar>(v: Vec3<S>) -> [S; 3] {
     [v.x(), v.y(), v.z()]
 }
 
-/// The length of a vector of which the sizes of the components are bounded.
+/// Returns a bound of a vector's length from bounds of its components.
 fn norm(sizes: [Magnitude; 3]) -> Magnitude {
     sizes.iter().fold(Magnitude::ZERO, |sum, &size| sum.plus(size.times(size))).root()
 }
@@ -41,7 +41,7 @@ impl<'a, 's, S: Scalar, A: Accelerator<S>> Extent<'a, 's, S, A> {
         let eye = axes::<S>(camera.eye).map(quarter);
         let mut extent = Self { scene, eye: camera.eye, accelerator, low: eye, high: eye };
         scene.solids(|_, place, radius, _| extent.hold(place, radius));
-        // The rays are measured from the centres of nodes too.
+        // Distances from rays to the centres of nodes are computed too.
         accelerator.places(|center| extent.hold(center, S::ZERO));
         extent
     }
@@ -55,8 +55,8 @@ impl<'a, 's, S: Scalar, A: Accelerator<S>> Extent<'a, 's, S, A> {
         }
     }
 
-    /// The height at which cylinders end: the highest power of two, up to a quarter of the format, with which no
-    /// distance exceeds `most`; but nothing of the scene is higher.
+    /// Returns the height at which cylinders end: the highest power of two, up to a quarter of the format, with which no
+    /// distance exceeds `most`, but at least the height of the scene.
     pub(super) fn cylinder_end(&self, has_cylinders: bool, most: Magnitude) -> Magnitude {
         let [_, _, low] = self.low;
         let [_, _, high] = self.high;
@@ -69,7 +69,7 @@ impl<'a, 's, S: Scalar, A: Accelerator<S>> Extent<'a, 's, S, A> {
         fitting.next().unwrap_or(own)
     }
 
-    /// Bounds of a coordinate and of the distance between two places, with cylinders up to the height `cylinder_end`.
+    /// Returns bounds of a coordinate and of the distance between two places, with cylinders up to the height `cylinder_end`.
     pub(super) fn bounds(&self, cylinder_end: Magnitude) -> (Worst, Worst) {
         let has_cylinders = !self.scene.cylinders.is_empty();
         // Quarters are rounded: four LSBs of the format, twice.

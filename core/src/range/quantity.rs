@@ -1,19 +1,19 @@
-//! What the range proof bounds, and why a scene is refused.
+//! The quantities that the range proof bounds, and the errors of a scene that is refused.
 
 use core::fmt;
 
 use crate::scalar::Magnitude;
 use crate::scene::Object;
 
-/// What is bounded.
+/// A quantity that the proof bounds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Quantity {
     /// A coordinate of the eye or of the outside of an object.
     Coordinate,
-    /// The distance between any two places of the scene, and along a ray.
+    /// The distance between any two places of the scene, and between origin and hit of a ray.
     Distance,
-    /// The same, and a coordinate, where one place is on the floor.
+    /// A distance to a place of the floor, and a coordinate of that place.
     Reach,
     /// The square of a distance.
     Square,
@@ -21,7 +21,7 @@ pub enum Quantity {
     Product,
     /// A component of a unit vector, a cosine, a coefficient.
     Component,
-    /// A component of the way from the eye to the image plane.
+    /// A component of the vector from the eye to a place of the image plane.
     ImagePlane,
     /// The reflectance of a surface.
     Reflectance,
@@ -29,14 +29,14 @@ pub enum Quantity {
     Weight,
     /// The largest radius of an ellipsoid over its smallest.
     Thinness,
-    /// Four times the distance that a ray's start stands off a surface, against the smallest radius.
+    /// Four times the distance by which a ray's origin is pushed off a surface; its limit is the smallest radius.
     Clearance,
     /// Radiance, which saturates by design.
     Radiance,
 }
 
 impl Quantity {
-    /// What the quantity is called.
+    /// Returns the name of the quantity for error messages.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Coordinate => "coordinate",
@@ -55,27 +55,27 @@ impl Quantity {
     }
 }
 
-/// A row of the proof: a quantity never exceeds its bound, and the bound not the limit.
+/// A row of the proof: the quantity never exceeds its bound, and must not exceed its limit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Bound {
-    /// What is bounded.
+    /// The quantity that is bounded.
     pub quantity: Quantity,
     /// The largest size it can have.
     pub bound: Magnitude,
     /// The largest size it may have.
     pub limit: Magnitude,
-    /// Who is to blame for the bound; nothing for the eye, or where nobody is.
+    /// The object that causes the bound; `None` for the eye, or where no object does.
     pub object: Option<Object>,
 }
 
 impl Bound {
-    /// Whether the bound keeps the limit, or need not.
+    /// Returns whether the bound is within the limit, or the quantity saturates.
     pub fn holds(&self) -> bool {
         self.bound <= self.limit || self.quantity == Quantity::Radiance
     }
 }
 
-/// Why a scene is refused: a row of the proof that does not hold.
+/// The reason why a scene is refused.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum RangeError {
@@ -85,11 +85,11 @@ pub enum RangeError {
     Radius(Object),
     /// A reflectance is below 0.
     Color(Object),
-    /// A node of a hierarchy leads nowhere, or, of spheres, does not contain its run of them.
+    /// A node of a hierarchy is wrong: see [`Accelerator::check`](crate::accelerator::Accelerator::check).
     Hierarchy(usize),
 }
 
-/// Writes an object the way a scene file counts: from 1.
+/// Writes the object of an error message; `None` is the observer.
 struct Named(Option<Object>);
 
 impl fmt::Display for Named {

@@ -1,26 +1,25 @@
-//! Where the samples of a pixel lie: one in its middle, or several on regular and jittered grids, of whose light the mean
-//! is taken.
+//! Where the samples of a pixel lie: one in its middle, or several on a regular or jittered grid, whose light is averaged.
 
 use super::Raster;
 use crate::color::Rgb;
 use crate::scalar::{Light, Unit};
 
-/// Where the samples of a pixel lie on the image plane, and what becomes of their light.
+/// Where the samples of a pixel lie on the image plane, and how their light is averaged.
 pub trait Places: Copy + Send + Sync {
-    /// What the samples of a row of pixels have in common.
+    /// What is computed once for all samples of a row of pixels.
     type Row<U: Unit>: Copy;
 
-    /// Samples a pixel, at least 1.
+    /// Returns the number of samples of each pixel, at least 1.
     fn samples(&self) -> u32;
 
-    /// Returns what the samples of row `y` have in common, 0 at the top.
+    /// Returns what the samples of row `y` have in common; row 0 is at the top.
     fn row<U: Unit>(&self, raster: Raster, y: u32) -> Self::Row<U>;
 
-    /// Returns the place of a sample of pixel `x` for [`Camera::direction`](crate::camera::Camera::direction): to the right and
-    /// up, each from -1/2 to 1/2.
+    /// Returns the place of a sample of pixel `x` on the image plane: how far to the right and how far up, each from -1/2 to
+    /// 1/2, as [`Camera::direction`](crate::camera::Camera::direction) takes it.
     fn place<U: Unit>(&self, raster: Raster, row: Self::Row<U>, x: u32, sample: u32) -> (U, U);
 
-    /// Returns the sum of the samples so far and one more.
+    /// Returns the sum of the light of the samples so far and of one more.
     fn add<L: Light>(&self, sum: Rgb<L>, light: Rgb<L>) -> Rgb<L>;
 
     /// Returns the light of a pixel from the sum over all of its samples.
@@ -32,8 +31,8 @@ pub trait Places: Copy + Send + Sync {
 pub struct Center;
 
 impl Center {
-    /// Where the centre of pixel `i` of `n` lies, from -1/2 to 1/2: the whole extent scaled by `(2i + 1) / 2n`. A step
-    /// that was rounded and then added up would drift across the picture.
+    /// Returns where the centre of pixel `i` of `n` lies: `(2i + 1) / 2n - 1/2`. A rounded step that is added up from pixel to
+    /// pixel would drift across the picture.
     fn place<U: Unit>(i: u32, n: u32) -> U {
         // Both are at most 2^17.
         U::fraction((2 * i + 1).cast_signed() - n.cast_signed(), 2 * n)
@@ -41,7 +40,7 @@ impl Center {
 }
 
 impl Places for Center {
-    /// How far down the row lies.
+    /// How far down the row lies on the image plane, from -1/2 to 1/2.
     type Row<U: Unit> = U;
 
     fn samples(&self) -> u32 {
@@ -76,7 +75,7 @@ pub struct Sampling {
     seed: Option<u32>,
 }
 
-/// Places within a cell, along a side, that jitter tells apart.
+/// The number of jittered positions along the side of a cell.
 const CELL: i64 = 1 << 16;
 
 impl Sampling {
@@ -87,23 +86,23 @@ impl Sampling {
     /// [`Radiance`](crate::scalar::Radiance).
     pub const MAX_SIDE: u8 = 128;
 
-    /// `side x side` samples, each in the middle of its cell; nothing where `side` is 0 or above
+    /// Returns a grid of `side x side` samples, each in the middle of its cell; `None` where `side` is 0 or above
     /// [`Sampling::MAX_SIDE`].
     pub const fn grid(side: u8) -> Option<Self> {
         if side == 0 || side > Self::MAX_SIDE { None } else { Some(Self { side, seed: None }) }
     }
 
-    /// The same cells, with each sample anywhere in its own.
+    /// Returns the grid with each sample at a random place in its cell, which depends on `seed`.
     pub const fn jittered(self, seed: u32) -> Self {
         Self { seed: Some(seed), ..self }
     }
 
-    /// Whether the samples are jittered.
+    /// Returns whether the samples are jittered.
     pub const fn is_jittered(self) -> bool {
         self.seed.is_some()
     }
 
-    /// Where in its cell a sample lies, in 1/65536ths from the left and from above.
+    /// Returns where a sample lies in its cell, in 1/65536 of the cell from its left and from its upper edge.
     fn part(self, x: u32, y: u32, sample: u32) -> (i64, i64) {
         let Some(seed) = self.seed else { return (CELL / 2, CELL / 2) };
         let [right, down, ..] = hash([x, y, sample, seed]);
@@ -111,9 +110,9 @@ impl Sampling {
     }
 }
 
-/// Row by row from the pixel's upper left. The mean is the box filter, of light cut to what a display can show: a highlight
-/// twenty thousand times as bright as white would whiten a pixel that it covers a sixteenth of. The light of
-/// [`Sampling::CENTER`] is kept as it is.
+/// Samples are numbered row by row from the pixel's upper left. The mean is a box filter. Light is cut to white first, or a
+/// highlight twenty thousand times as bright as white would whiten a pixel of which it covers a sixteenth; the light of
+/// [`Sampling::CENTER`] is not cut.
 impl Places for Sampling {
     /// The number of the row.
     type Row<U: Unit> = u32;
@@ -150,7 +149,7 @@ impl Places for Sampling {
     }
 }
 
-/// Four words into four others that look random: `pcg4d` of M. Jarzynski and M. Olano, "Hash Functions for GPU
+/// Returns a hash of four words: `pcg4d` of M. Jarzynski and M. Olano, "Hash Functions for GPU
 /// Rendering", JCGT 9(3), 2020.
 fn hash(words: [u32; 4]) -> [u32; 4] {
     let mix = |[mut x, mut y, mut z, mut w]: [u32; 4]| {

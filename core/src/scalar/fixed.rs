@@ -1,8 +1,8 @@
 //! Fixed point: lengths in a signed 32-bit format, components of unit vectors in Q2.30, squares in 64 bits.
 //!
 //! Everything is integer arithmetic, so a picture is the same bytes on every processor, in debug and in release. A
-//! product is formed whole in 64 bits and rounded once. Debug builds check that each result fits its format; that it
-//! does, for any ray, is what [`crate::range`] proves of a scene before it may be drawn.
+//! product is computed exactly in 64 bits and rounded once. [`crate::range`] proves of a scene, before it may be drawn, that
+//! each result fits its format for any ray; debug builds check it too.
 
 mod length;
 
@@ -22,7 +22,7 @@ pub type Q20 = I12F20;
 const UNIT_BITS: u32 = 30;
 /// Fractional bits of radiance.
 const LIGHT_BITS: u32 = 16;
-/// The low word of a result that the range check promises to fit.
+/// Returns the low word of a result that fits, as the range proof has shown.
 #[allow(clippy::cast_possible_truncation)] // checked in debug builds, proved before a release build draws
 #[cfg_attr(not(target_os = "none"), inline)]
 fn word(value: i64) -> i32 {
@@ -30,20 +30,20 @@ fn word(value: i64) -> i32 {
     value as i32
 }
 
-/// The nearest value that fits.
+/// Returns the nearest value that fits.
 #[allow(clippy::cast_possible_truncation)] // clamped
 #[cfg_attr(not(target_os = "none"), inline)]
 fn saturate(value: i64) -> i32 {
     value.clamp(-i64::from(i32::MAX), i64::from(i32::MAX)) as i32
 }
 
-/// A product with a unit, rounded to the format of the other factor.
+/// Returns a product with a unit, rounded to the format of the other factor.
 #[cfg_attr(not(target_os = "none"), inline)]
 fn round(product: i64) -> i32 {
     word(shift_right(product, UNIT_BITS))
 }
 
-/// Direction, length and reciprocal of the length of a vector whose squares add up to less than 2^64.
+/// Returns direction, length and reciprocal of the length of a vector whose squares add up to less than 2^64.
 #[cfg_attr(not(target_os = "none"), inline)]
 fn normalize(v: Xyz<i32>) -> Option<(Xyz<I2F30>, u32, Reciprocal)> {
     let square = v.map(|c| u64::from(c.unsigned_abs()).pow(2));
@@ -55,7 +55,7 @@ fn normalize(v: Xyz<i32>) -> Option<(Xyz<I2F30>, u32, Reciprocal)> {
     Some((v.map(|c| I2F30::from_bits(word(reciprocal.times(c)))), length, reciprocal))
 }
 
-/// Shifts a vector up as far as it goes, so that a short one is normalised to full precision, and says how far.
+/// Returns a vector shifted up as far as it fits, so that a short one is normalised to full precision, and by how many bits.
 #[cfg_attr(not(target_os = "none"), inline)]
 fn scale_up(v: Xyz<i32>) -> (Xyz<i32>, u32) {
     let bits = v.x.unsigned_abs() | v.y.unsigned_abs() | v.z.unsigned_abs();
@@ -120,7 +120,7 @@ impl Unit for I2F30 {
     }
 }
 
-/// The square root of a number with twice the fractional bits of a unit.
+/// Returns the square root of a number with twice the fractional bits of a unit.
 #[cfg_attr(not(target_os = "none"), inline)]
 fn root(square: i64) -> Option<I2F30> {
     let root = integer::sqrt(u64::try_from(square).ok()?);
@@ -165,18 +165,18 @@ pub struct Power {
 }
 
 impl Power {
-    /// From what [`Power::parts`] told, for scenes that are made ahead.
+    /// Returns the intensity from its [`Power::parts`], for generated code.
     pub const fn from_parts(mantissa: u32, exponent: i16) -> Self {
         Self { mantissa, exponent }
     }
 
-    /// The mantissa and the exponent `e` of `mantissa * 2^e`.
+    /// Returns the mantissa and the exponent `e` of `mantissa * 2^e`.
     pub const fn parts(self) -> (u32, i16) {
         (self.mantissa, self.exponent)
     }
 }
 
-/// `value * 2^exponent` as radiance.
+/// Returns `value * 2^exponent` as a radiance; saturates.
 #[allow(clippy::cast_possible_truncation)] // clamped
 #[cfg_attr(not(target_os = "none"), inline)]
 fn radiance(value: u64, exponent: i32) -> Radiance {

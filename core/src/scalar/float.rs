@@ -125,8 +125,8 @@ macro_rules! float {
             fn over(self, slope: Self) -> Self {
                 (self / slope).min($far)
             }
-            /// A component of a foot point errs by at most `4 u (|b| + r)`, `u = EPSILON / 2`: the roundings of a
-            /// product and a difference and what the direction is not a unit long. Two foot points of three components
+            /// A component of a foot point errs by at most `4 u (|b| + r)`, `u = EPSILON / 2`: the rounding of a product
+            /// and a difference, and the error of the direction's length. Two foot points of three components
             /// err by `7 EPSILON` of it; a little more than twice that is added.
             #[cfg_attr(not(target_os = "none"), inline)]
             fn padded(self, distance: Self) -> Self {

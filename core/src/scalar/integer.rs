@@ -22,7 +22,7 @@ const GUESS: [u16; 49] = {
     table
 };
 
-/// `2^30 / sqrt(m / 2^32)`, for `m >= 2^30`: the reciprocal square root of a number in [1/4, 1[, within 2 units of
+/// Returns `2^30 / sqrt(m / 2^32)`, for `m >= 2^30`: the reciprocal square root of a number in [1/4, 1[, within 2 units of
 /// the last place (2^-30).
 ///
 /// A table with linear interpolation gives 11 bits, two steps of Newton's iteration the rest.
@@ -52,7 +52,7 @@ fn normalize(value: u64) -> (u64, u32) {
     (value << (shift & 63), shift)
 }
 
-/// The square root, rounded to the nearest (an exact half cannot be).
+/// Returns the square root, rounded to the nearest (an exact half cannot occur).
 #[allow(clippy::cast_possible_truncation)] // sizes are at the line
 #[cfg_attr(not(target_os = "none"), inline)]
 pub fn sqrt(value: u64) -> u32 {
@@ -78,12 +78,12 @@ pub fn sqrt(value: u64) -> u32 {
 }
 
 impl Reciprocal {
-    /// From what [`Reciprocal::parts`] told, for scenes that are made ahead.
+    /// Returns the reciprocal from its [`Reciprocal::parts`], for generated code.
     pub const fn from_parts(mantissa: u32, exponent: u8) -> Self {
         Self { mantissa, exponent }
     }
 
-    /// `1 / value`; of 0 as of 1.
+    /// Returns `1 / value`; a `value` of 0 counts as 1.
     #[allow(clippy::cast_possible_truncation)] // sizes are at the line
     #[cfg_attr(not(target_os = "none"), inline)]
     pub fn of(value: u32) -> Self {
@@ -97,7 +97,7 @@ impl Reciprocal {
         Self { mantissa: mantissa.min(1 << 31) as u32, exponent: exponent as u8 }
     }
 
-    /// `1 / sqrt(square)` with `sqrt(square)`, rounded; of 0 as of 1.
+    /// Returns `1 / sqrt(square)` and `sqrt(square)`, rounded; a `square` of 0 counts as 1.
     #[allow(clippy::cast_possible_truncation)] // sizes are at the line
     #[cfg_attr(not(target_os = "none"), inline)]
     pub fn of_sqrt(square: u64) -> (Self, u32) {
@@ -110,31 +110,31 @@ impl Reciprocal {
         (Self { mantissa, exponent: (32 - half) as u8 }, root as u32)
     }
 
-    /// `2^-shift` of what it is: the reciprocal of `value << shift` when this is that of `value`; and back.
+    /// Returns the reciprocal of `value` if `self` is that of `value << shift`: `self` times `2^shift`.
     #[allow(clippy::cast_possible_truncation)] // at most 32
     pub(crate) fn unscale(self, shift: u32) -> Self {
         Self { exponent: self.exponent.saturating_sub(shift as u8), ..self }
     }
 
-    /// `2^30 factor / value`, rounded.
+    /// Returns `2^30 factor / value`, rounded.
     #[cfg_attr(not(target_os = "none"), inline)]
     pub fn times(self, factor: i32) -> i64 {
         shift_right_by(wide_mixed(factor, self.mantissa), u32::from(self.exponent))
     }
 
-    /// The mantissa, in [2^30, 2^31], and the exponent `e` of `mantissa / 2^(30 + e)`.
+    /// Returns the mantissa, in [2^30, 2^31], and the exponent `e` of `mantissa / 2^(30 + e)`.
     pub const fn parts(self) -> (u32, u8) {
         (self.mantissa, self.exponent)
     }
 }
 
-/// `value / 2^shift`, rounded to the nearest, halves up; `shift < 64`.
+/// Returns `value / 2^shift`, rounded to the nearest, halves up; `shift < 64`.
 #[cfg_attr(not(target_os = "none"), inline)]
 pub fn shift_right(value: i64, shift: u32) -> i64 {
     (value + ((1 << shift) >> 1)) >> shift
 }
 
-/// The same by a shift that is known only when the program runs: one shift of 64 bits, which is dear on words of 32.
+/// Returns what [`shift_right`] does with one 64-bit shift, which is slow on 32-bit processors, for a `shift` known at run time.
 #[cfg_attr(not(target_os = "none"), inline)]
 pub(crate) fn shift_right_by(value: i64, shift: u32) -> i64 {
     match shift {
@@ -147,14 +147,14 @@ pub(crate) fn shift_right_by(value: i64, shift: u32) -> i64 {
 /// which has no multiplication with a result of 64 bits either. The compiler's routine takes factors of 64 bits.
 const HALVES: bool = cfg!(all(target_arch = "arm", not(target_has_atomic = "32")));
 
-/// The product of two words.
+/// Returns the product of two words.
 #[cfg_attr(all(target_arch = "arm", not(target_has_atomic = "32")), inline(never))]
 #[cfg_attr(not(all(target_arch = "arm", not(target_has_atomic = "32"))), inline(always))]
 pub(crate) fn wide(a: i32, b: i32) -> i64 {
     if HALVES { wide_by_halves(a, b) } else { i64::from(a) * i64::from(b) }
 }
 
-/// The product of a word and a word without a sign.
+/// Returns the product of a signed and an unsigned word.
 #[inline(always)]
 fn wide_mixed(a: i32, b: u32) -> i64 {
     if !HALVES {
@@ -165,7 +165,7 @@ fn wide_mixed(a: i32, b: u32) -> i64 {
     wide(a, b.cast_signed()) + missing
 }
 
-/// The product of two words without signs.
+/// Returns the product of two unsigned words.
 #[inline(always)]
 pub(crate) fn wide_unsigned(a: u32, b: u32) -> u64 {
     if !HALVES {
@@ -175,7 +175,7 @@ pub(crate) fn wide_unsigned(a: u32, b: u32) -> u64 {
     wide_mixed(a.cast_signed(), b).cast_unsigned().wrapping_add(missing)
 }
 
-/// The product of two words by four products of half words, none of which overflows.
+/// Returns the product of two words by four products of half words, none of which overflows.
 #[inline(always)]
 #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // the halves
 fn wide_by_halves(a: i32, b: i32) -> i64 {
@@ -188,7 +188,7 @@ fn wide_by_halves(a: i32, b: i32) -> i64 {
     (i64::from(high) << 32) | i64::from((other as u32) << 16 | low & 0xffff)
 }
 
-/// Whether `floor(value / 3)` is odd, without a division.
+/// Returns whether `floor(value / 3)` is odd, without a division.
 #[allow(clippy::cast_possible_truncation)] // the digits
 pub fn odd_third(value: i64) -> bool {
     // 2^16, 2^8 and 2^64 are 1 modulo 3, so the sum of the digits leaves what the number does; a negative one has 2^64

@@ -1,10 +1,10 @@
-//! The size of a quantity, rounded up: what interval arithmetic needs where there is no float.
+//! Upper bounds of absolute values, for interval arithmetic without floats.
 
 use core::cmp::Ordering;
 use core::fmt;
 
-/// `mantissa * 2^exponent`, the mantissa's top bit set unless it is 0: an upper bound of a size. Sums, products and
-/// quotients of bounds are bounds; the excess of each is below 2^-31 of it.
+/// An upper bound of an absolute value: `mantissa * 2^exponent`, the mantissa's top bit set unless it is 0. Sums, products and
+/// quotients of bounds are bounds; each operation rounds up by less than 2^-31 of the result.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Magnitude {
     mantissa: u32,
@@ -12,10 +12,10 @@ pub struct Magnitude {
 }
 
 impl Magnitude {
-    /// Nothing.
+    /// The bound 0.
     pub const ZERO: Self = Self { mantissa: 0, exponent: i32::MIN / 4 };
 
-    /// `value * 2^exponent`, or a little more.
+    /// Returns `value * 2^exponent`, rounded up.
     #[allow(clippy::cast_possible_truncation)] // shifted to 32 bits
     pub const fn new(value: u64, exponent: i32) -> Self {
         if value == 0 {
@@ -32,17 +32,17 @@ impl Magnitude {
         Self { mantissa, exponent: exponent + shift }
     }
 
-    /// The whole number, and the power of two that it is to be multiplied with.
+    /// Returns the mantissa and the exponent.
     pub const fn parts(self) -> (u32, i32) {
         (self.mantissa, self.exponent)
     }
 
-    /// Times `2^by`.
+    /// Returns the bound times `2^by`.
     pub const fn shift(self, by: i32) -> Self {
         Self { mantissa: self.mantissa, exponent: self.exponent + by }
     }
 
-    /// The sum.
+    /// Returns the sum.
     pub fn plus(self, other: Self) -> Self {
         let (large, small) = if self > other { (self, other) } else { (other, self) };
         let apart = u32::try_from(large.exponent - small.exponent).unwrap_or(0);
@@ -52,33 +52,33 @@ impl Magnitude {
         Self::new(wide + small, large.exponent - 31)
     }
 
-    /// The difference, for a smaller `other`, rounded up to 2^-31 of the larger: 0 or more.
+    /// Returns the difference, for an `other` that is not larger, rounded up by at most 2^-31 of `self`: 0 or more.
     pub fn minus(self, other: Self) -> Self {
         let apart = u32::try_from(self.exponent - other.exponent).unwrap_or(0);
         let small = (u64::from(other.mantissa) << 31).checked_shr(apart).unwrap_or(0);
         Self::new((u64::from(self.mantissa) << 31).saturating_sub(small), self.exponent - 31)
     }
 
-    /// The product.
+    /// Returns the product.
     pub fn times(self, other: Self) -> Self {
         Self::new(u64::from(self.mantissa) * u64::from(other.mantissa), self.exponent + other.exponent)
     }
 
-    /// The quotient; of a division by 0 as by the smallest there is.
+    /// Returns the quotient; 0 as a divisor counts as the smallest bound above 0.
     pub fn over(self, other: Self) -> Self {
         let quotient = (u64::from(self.mantissa) << 32) / u64::from(other.mantissa.max(1));
         // A divisor that was itself rounded up is 2^-31 too large at most: 4 of at most 2^33.
         Self::new(quotient + 4 * u64::from(self.mantissa > 0), self.exponent - other.exponent - 32)
     }
 
-    /// The square root.
+    /// Returns the square root.
     pub fn root(self) -> Self {
         let odd = self.exponent & 1;
         let wide = u64::from(self.mantissa) << (30 + odd);
         Self::new(wide.isqrt() + u64::from(self.mantissa > 0), (self.exponent - 30 - odd) / 2)
     }
 
-    /// The larger.
+    /// Returns the larger of two bounds.
     pub fn max(self, other: Self) -> Self {
         if other > self { other } else { self }
     }
@@ -97,7 +97,7 @@ impl PartialOrd for Magnitude {
 }
 
 impl fmt::Display for Magnitude {
-    /// In decimals where that is short, to four places; else as a product with a power of two.
+    /// Writes a short number in decimals, to at most four places, and others as a product with a power of two.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { mantissa, exponent } = *self;
         let mantissa = u64::from(mantissa);

@@ -1,7 +1,7 @@
-//! Vectors of three lengths and of three components of a unit vector.
+//! Vectors of lengths, and unit vectors.
 //!
-//! Right-handed, z up. A float's vectors are glam's, so that a program which already has those need not convert; every
-//! other scalar uses [`Xyz`].
+//! Coordinates are right-handed, with z up. Floats use glam's vectors, so that a program which has those need not convert
+//! them; every other scalar uses [`Xyz`].
 
 use core::fmt::Debug;
 use core::ops::{Add, Neg, Sub};
@@ -16,7 +16,7 @@ pub type Vec3<S> = <S as Scalar>::Vector;
 /// A direction: three components in [-1, 1] whose squares add up to 1.
 pub type UnitVec3<S> = <S as Scalar>::UnitVector;
 
-/// Three components.
+/// A vector of three components.
 pub trait Vector:
     Copy
     + Debug
@@ -30,44 +30,44 @@ pub trait Vector:
 {
     /// A length or a component of a unit vector.
     type Component: Copy;
-    /// A vector from its components.
+    /// Returns a vector from its components.
     fn new(x: Self::Component, y: Self::Component, z: Self::Component) -> Self;
-    /// East.
+    /// Returns the component to the east.
     fn x(self) -> Self::Component;
-    /// North.
+    /// Returns the component to the north.
     fn y(self) -> Self::Component;
-    /// Up.
+    /// Returns the component upwards.
     fn z(self) -> Self::Component;
 }
 
-/// What a vector of lengths can do.
+/// The operations of a vector of lengths.
 pub trait LengthVector: Vector {
     /// The scalar whose vector this is.
     type Scalar: Scalar<Vector = Self>;
-    /// `self . direction`, rounded once.
+    /// Returns the dot product `self . direction`, rounded once.
     fn dot(self, direction: UnitVec3<Self::Scalar>) -> Self::Scalar;
-    /// `|self|^2`, exact in fixed point.
+    /// Returns `|self|^2`, exact in fixed point.
     fn norm_squared(self) -> <Self::Scalar as Scalar>::Wide;
-    /// The place `self + distance * direction`.
+    /// Returns the place `self + distance * direction`.
     fn along(self, direction: UnitVec3<Self::Scalar>, distance: Self::Scalar) -> Self;
-    /// `self - distance * direction`, each component rounded once: what is left of a displacement across a ray.
+    /// Returns `self - distance * direction`, each component rounded once: the part of a displacement normal to a ray.
     fn reject(self, direction: UnitVec3<Self::Scalar>, distance: Self::Scalar) -> Self;
-    /// `(distance * direction - self) / radius`, to the precision of a unit vector: a place on a ray as an object of
-    /// that radius sees it whose centre is `self` away from the ray's origin. The place lies within the radius.
+    /// Returns `(distance * direction - self) / radius`, to the precision of a unit vector: a place on a ray relative to an
+    /// object whose centre is `self` away from the ray's origin, in units of its radius. The place lies within the radius.
     fn local(
         self,
         direction: UnitVec3<Self::Scalar>,
         distance: Self::Scalar,
         radius: <Self::Scalar as Scalar>::Inverse,
     ) -> UnitVec3<Self::Scalar>;
-    /// Direction, length and reciprocal of the length; nothing for the zero vector.
+    /// Returns direction, length and reciprocal of the length; `None` for the zero vector.
     #[allow(clippy::type_complexity)] // three values that cost one reciprocal square root together
     fn normalize(self) -> Option<(UnitVec3<Self::Scalar>, Self::Scalar, <Self::Scalar as Scalar>::Inverse)>;
-    /// Where a ray starts that leaves a surface at the place `self`: pushed off by more than the place can be wrong, so
-    /// that it does not meet the surface again; and how much of the ray that uses up, with what its end can be wrong.
+    /// Returns the origin of a ray that leaves a surface at the place `self`: pushed off by more than the place's rounding error,
+    /// so that the ray does not meet the surface again; and the length by which a shadow ray is to be shortened for that.
     ///
-    /// The start stays on the ray as long as that is not too flat, since a mirror magnifies a sideways step; a flat one
-    /// is pushed off along the `normal`, which is on the ray's side. `extent` is the size of the object.
+    /// A steep ray is pushed off along its direction, since a mirror magnifies a sideways step; a flat one along the `normal`,
+    /// which is on the ray's side. `extent` is the size of the object.
     fn leave(
         self,
         normal: UnitVec3<Self::Scalar>,
@@ -86,13 +86,13 @@ pub trait LengthVector: Vector {
         };
         (start, most)
     }
-    /// How far a place on a surface of that extent is to be pushed off it; and six times that.
+    /// Returns the distance by which a place is pushed off the surface of an object of that extent, and six times that.
     fn clearance(self, extent: Self::Scalar) -> (Self::Scalar, Self::Scalar);
-    /// `x * ex + y * ey`: the dot product in the ground plan.
+    /// Returns `x * ex + y * ey`: the dot product in the ground plan.
     fn dot_plan(self, plan: Plan<Self::Scalar>) -> Self::Scalar;
-    /// `x * ey - y * ex`: how far the ray of that plan passes by `self`, with a sign.
+    /// Returns `x * ey - y * ex`: the signed distance in the ground plan by which the ray misses `self`.
     fn cross_plan(self, plan: Plan<Self::Scalar>) -> Self::Scalar;
-    /// The same over a radius that is no smaller in size, to the precision of a unit vector; saturates.
+    /// Returns that distance over a radius that is no smaller, to the precision of a unit vector; saturates.
     fn cross_plan_over(
         self,
         plan: Plan<Self::Scalar>,
@@ -100,7 +100,7 @@ pub trait LengthVector: Vector {
     ) -> <Self::Scalar as Scalar>::Unit;
 }
 
-/// What a unit vector can do.
+/// The operations of a unit vector.
 pub trait UnitVector: Vector<Component: Unit> {
     /// East.
     const X: Self;
@@ -108,32 +108,32 @@ pub trait UnitVector: Vector<Component: Unit> {
     const Y: Self;
     /// Up, the thesis's CENIT.
     const Z: Self;
-    /// Cosine of the angle between two directions.
+    /// Returns the dot product: the cosine of the angle between two directions.
     fn dot(self, other: Self) -> Self::Component;
-    /// The cross product.
+    /// Returns the cross product.
     fn cross(self, other: Self) -> Self;
-    /// Each component times `factor`.
+    /// Returns the vector with each component times `factor`.
     fn scale(self, factor: Self::Component) -> Self;
-    /// Each component times that of `other`.
+    /// Returns the products of the components of both vectors.
     fn times(self, other: Self) -> Self;
-    /// `self + factor * other`, each component rounded once.
+    /// Returns `self + factor * other`, each component rounded once.
     fn plus(self, other: Self, factor: Self::Component) -> Self;
-    /// The unit vector along a vector of any length below 2, and the reciprocal of that length; nothing for zero.
+    /// Returns the unit vector along a vector of any length below 2, and the reciprocal of that length; `None` for 0.
     fn normalize(self) -> Option<(Self, <Self::Component as Unit>::Inverse)>;
-    /// A vector whose length is 1 but for some roundings, with length 1 but for one: a step of Newton's iteration. What
-    /// is not mended here grows with each reflection, up to five times.
+    /// Returns a vector that is almost of length 1, closer to that length by a step of Newton's iteration. Each reflection
+    /// would magnify the error up to five times.
     fn tighten(self) -> Self {
         let excess = self.dot(self) - Self::Component::ONE;
         self.plus(self, excess.times(Self::Component::ratio(-1, 2)))
     }
-    /// The reflection `self - 2 (self . normal) normal` (Whitted 1980).
+    /// Returns the reflection `self - 2 (self . normal) normal` (Whitted 1980).
     fn reflect(self, normal: Self) -> Self;
-    /// The unit vector halfway between two directions (Blinn's H); nothing for opposite ones.
+    /// Returns the unit vector halfway between two directions (Blinn's H); `None` for opposite ones.
     fn halfway(self, other: Self) -> Option<Self>;
-    /// `sqrt(radius^2 - |self|^2)`, the difference exact in fixed point: half the chord of a sphere whose foot point
-    /// is `self`; nothing where it is negative.
+    /// Returns `sqrt(radius^2 - |self|^2)`, the difference exact in fixed point: half the chord of a ray with the foot point
+    /// `self` in a sphere about 0; `None` where the ray misses the sphere.
     fn half_chord(self, radius: Self::Component) -> Option<Self::Component>;
-    /// The direction's ground plan; nothing for one that is vertical.
+    /// Returns the direction as seen from above; `None` for a vertical one.
     fn plan<S: Scalar<Unit = Self::Component>>(self) -> Option<Plan<S>>;
 }
 
@@ -144,6 +144,6 @@ pub struct Plan<S: Scalar> {
     pub x: S::Unit,
     /// y of the unit vector in the plan.
     pub y: S::Unit,
-    /// Reciprocal of the length of (x, y) before: one unit in the plan is that long in space.
+    /// Reciprocal of the length of (x, y) before it was normalised: the length in space of one unit in the plan.
     pub stretch: <S::Unit as Unit>::Inverse,
 }

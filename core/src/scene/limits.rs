@@ -1,9 +1,9 @@
-//! Where what has no end, the floor and the vertical cylinders, ends in a number format.
+//! Where the infinite objects, floor and vertical cylinders, end in a number format.
 
-/// How far a scene is seen and lit.
+/// How far the infinite objects of a scene are seen and lit, as [`Scene::admit`](super::Scene::admit) finds it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Limits<S> {
-    /// A place of the floor that is seen from farther away is lit as if it were this far.
+    /// Distance from a ray's origin beyond which a place of the floor is lit as if it were at this distance.
     pub floor_end: S,
     /// Vertical cylinders are seen between this height and its negative.
     pub cylinder_end: S,

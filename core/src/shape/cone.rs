@@ -1,8 +1,8 @@
-//! The side of a cone that is cut off between two points, with or without its ends; a cylinder where the radii are equal.
+//! The truncated cone between two points, with or without end discs; a cylinder where the radii are equal.
 //!
-//! The ray is looked at from beside the middle of the axis, in units of the diameter of the sphere about the cone. There
-//! the side is `cos^2 |x|^2 = (r cos + z sin)^2`, with `x` across the axis, `z` along it, `r` the radius in the middle, and
-//! cosine and sine of the angle between side and axis; no number is above 2, whatever the shape.
+//! The hit is computed relative to the middle of the axis, in units of the diameter of the bounding sphere. There the side
+//! is `cos^2 |x|^2 = (r cos + z sin)^2`, with `x` across the axis, `z` along it, `r` the radius in the middle, and cosine
+//! and sine of the angle between side and axis; no number exceeds 2, whatever the shape.
 
 use super::{Look, Primitive, SurfacePoint};
 use crate::color::Rgb;
@@ -12,16 +12,16 @@ use crate::ray::Ray;
 use crate::scalar::vector::{LengthVector, UnitVec3, UnitVector, Vec3};
 use crate::scalar::{Scalar, Unit};
 
-/// A cone or cylinder between two points.
+/// A truncated cone, or a cylinder, between two points.
 #[derive(Clone, Copy, Debug)]
 pub struct Cone<S: Scalar> {
     /// The middle of the axis.
     pub center: Vec3<S>,
     /// Unit vector along the axis, from the base to the apex.
     pub axis: UnitVec3<S>,
-    /// Diameter of the smallest sphere about the center that holds the cone.
+    /// Diameter of the smallest sphere about [`Cone::center`] that contains the cone: the unit "span" of other fields.
     pub span: S,
-    /// Its reciprocal.
+    /// Reciprocal of the span.
     pub inverse_span: S::Inverse,
     /// Half the height, in spans.
     pub half_height: S::Unit,
@@ -29,13 +29,13 @@ pub struct Cone<S: Scalar> {
     pub waist: S::Unit,
     /// Cosine of the angle between side and axis.
     pub cosine: S::Unit,
-    /// Its sine: above 0 where the cone widens towards its apex.
+    /// Sine of that angle: above 0 where the cone widens towards its apex.
     pub sine: S::Unit,
     /// Radii of base and apex, in spans.
     pub radii: [S::Unit; 2],
     /// Whether discs close the ends.
     pub capped: bool,
-    /// Whether only the inside is seen.
+    /// Whether only the inside of the surface is visible.
     pub inside_only: bool,
     /// Reflectance of the surface.
     pub color: Rgb<S::Unit>,
@@ -43,22 +43,22 @@ pub struct Cone<S: Scalar> {
     pub material: Material<S>,
 }
 
-/// A ray as seen from the middle of the axis, with the diameter as unit.
+/// A ray relative to the middle of the axis, in spans.
 struct Local<S: Scalar> {
-    /// Distance along the ray at which the middle is beside it.
+    /// Distance along the ray to the perpendicular foot of the middle, rounded.
     b: S,
-    /// From there to the foot point.
+    /// From the exact foot point to that place, in spans: what rounding left.
     past: S::Unit,
     foot: UnitVec3<S>,
-    /// What of the foot point and of the direction is across the axis.
+    /// Components of foot point and direction normal to the axis.
     foot_across: UnitVec3<S>,
     across: UnitVec3<S>,
-    /// What of them is along the axis.
+    /// Components of foot point and direction along the axis.
     foot_along: S::Unit,
     along: S::Unit,
 }
 
-/// Where the ray meets the cone: from the foot point, and the distance; and on the side or which end.
+/// A hit: its offset from the foot point along the ray in spans, its distance, and which part of the cone it is on.
 #[derive(Clone, Copy)]
 struct Meeting<S: Scalar> {
     offset: S::Unit,
@@ -99,7 +99,7 @@ impl<S: Scalar> Cone<S> {
         })
     }
 
-    /// The nearest place in ]0, `t_max`[.
+    /// Returns the nearest hit at a distance above 0 and below `t_max`, if there is one.
     fn meet(&self, ray: &Ray<S>, local: &Local<S>, t_max: S) -> Option<Meeting<S>> {
         let (zero, one) = (S::Unit::ZERO, S::Unit::ONE);
         let mut nearest: Option<Meeting<S>> = None;
@@ -121,7 +121,7 @@ impl<S: Scalar> Cone<S> {
         if let Some(root) = S::Unit::discriminant(b, a, c) {
             let q = if b > zero { -(b + root) } else { root - b };
             for offset in [q.quotient(a), c.quotient(q)] {
-                // Where it saturates, it is out of the sphere.
+                // A quotient that saturates lies outside the bounding sphere.
                 let within = offset > -one && offset < one;
                 let z = if within { local.foot_along + offset.times(local.along) } else { one };
                 if z >= -self.half_height
@@ -150,7 +150,7 @@ impl<S: Scalar> Cone<S> {
         nearest
     }
 
-    /// The normal of the side, on the outside.
+    /// Returns the outward unit normal of the side at an offset from the foot point.
     fn side_normal(&self, local: &Local<S>, offset: S::Unit) -> UnitVec3<S> {
         let across = local.foot_across.plus(local.across, offset);
         let Some((radial, _)) = across.normalize() else { return self.axis };
@@ -171,7 +171,7 @@ impl<S: Scalar> Primitive<S> for Cone<S> {
         let Some(Meeting { offset, distance, part }) = self.meet(ray, &local, S::FAR) else { return lost };
         let place = local.foot.plus(ray.direction, offset);
         let z = local.foot_along + offset.times(local.along);
-        // How far the roundings have left the place off the surface, along its normal.
+        // `off` is the distance of the place from the surface, due to rounding, along the normal.
         let (normal, off) = match part {
             Part::Side => {
                 let normal = self.side_normal(&local, offset);

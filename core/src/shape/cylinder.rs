@@ -1,4 +1,4 @@
-//! The infinite vertical cylinder: a circle in the ground plan, and the ray's shadow in it.
+//! The infinite vertical cylinder. Seen from above, in the ground plan, it is a circle that the ray meets or not.
 
 use super::{Look, Primitive, SurfacePoint, ahead};
 use crate::color::Rgb;
@@ -8,15 +8,15 @@ use crate::ray::{GroundPlan, Ray};
 use crate::scalar::vector::{LengthVector, UnitVec3, UnitVector, Vec3, Vector};
 use crate::scalar::{Scalar, Unit};
 
-/// A vertical cylinder without ends; it is seen as far up and down as
-/// [`Limits::cylinder_end`](crate::scene::Limits::cylinder_end).
+/// An infinite vertical cylinder, visible up to the height
+/// [`Limits::cylinder_end`](crate::scene::Limits::cylinder_end) and down to its negative.
 #[derive(Clone, Copy, Debug)]
 pub struct Cylinder<S: Scalar> {
     /// A place on the axis.
     pub center: Vec3<S>,
     /// Radius, more than 0.
     pub radius: S,
-    /// Its reciprocal.
+    /// Reciprocal of the radius.
     pub inverse_radius: S::Inverse,
     /// Reflectance of the surface.
     pub color: Rgb<S::Unit>,
@@ -25,7 +25,7 @@ pub struct Cylinder<S: Scalar> {
 }
 
 impl<S: Scalar> Cylinder<S> {
-    /// A cylinder from a place on its axis and its radius.
+    /// Returns a cylinder from a place on its axis and its radius.
     pub fn new(center: Vec3<S>, radius: S, color: Rgb<S::Unit>, material: Material<S>) -> Self {
         Self { center, radius, inverse_radius: radius.inverse(), color, material }
     }
@@ -34,7 +34,7 @@ impl<S: Scalar> Cylinder<S> {
 impl<S: Scalar> Primitive<S> for Cylinder<S> {
     const IS_FINITE: bool = false;
 
-    /// Nothing where the ray has no [`plan`](Ray::plan).
+    /// Returns `None` also where the ray has no [`plan`](Ray::plan).
     fn intersect(&self, ray: &Ray<S>, t_max: S) -> Option<S> {
         let GroundPlan { direction: plan, cylinder_end: end } = ray.plan?;
         let displacement = self.center - ray.origin;
@@ -86,7 +86,7 @@ impl<S: Scalar> Primitive<S> for Cylinder<S> {
         SurfacePoint { distance, point: axis.along(normal, self.radius), normal }
     }
 
-    /// Where its axis meets the floor.
+    /// The look's centre is where the axis meets the floor.
     fn look(&self) -> Look<'_, S> {
         let Self { radius, color, ref material, .. } = *self;
         let center = Vec3::<S>::new(self.center.x(), self.center.y(), S::ZERO);

@@ -1,8 +1,8 @@
 //! The ellipsoid with axes parallel to x, y and z.
 //!
-//! The ray is first looked at from beside the centre, where the largest radius is 1: that keeps the precision of a
-//! far one, and gives a bounding sphere. Then each axis is squashed to the smallest radius, which makes the ellipsoid
-//! a sphere and never enlarges a number, and the sphere's foot point does the rest.
+//! The hit is computed relative to the centre, in units of the largest radius, which keeps the precision for distant
+//! ellipsoids. Then each axis is scaled down to the smallest radius. That makes the ellipsoid a sphere and never enlarges a
+//! number, and the ray is intersected with that sphere.
 
 use super::{Look, Primitive, SurfacePoint, ahead};
 use crate::color::Rgb;
@@ -12,7 +12,7 @@ use crate::ray::Ray;
 use crate::scalar::vector::{LengthVector, UnitVec3, UnitVector, Vec3, Vector};
 use crate::scalar::{Scalar, Unit};
 
-/// An ellipsoid.
+/// An ellipsoid with axes parallel to x, y and z.
 #[derive(Clone, Copy, Debug)]
 pub struct Ellipsoid<S: Scalar> {
     /// Centre.
@@ -21,7 +21,7 @@ pub struct Ellipsoid<S: Scalar> {
     pub radii: Vec3<S>,
     /// The largest radius.
     pub extent: S,
-    /// Its reciprocal.
+    /// Reciprocal of the largest radius.
     pub inverse_extent: S::Inverse,
     /// The smallest radius over each radius: 0 to 1.
     pub squash: UnitVec3<S>,
@@ -35,19 +35,19 @@ pub struct Ellipsoid<S: Scalar> {
 
 /// A ray in the space where an ellipsoid is a sphere of radius [`Ellipsoid::thickness`] around 0.
 struct Squashed<S: Scalar> {
-    /// Distance along the ray at which the largest radius is the unit and the centre is beside it.
+    /// Distance along the ray to the perpendicular foot of the centre, before squashing.
     b: S,
     direction: UnitVec3<S>,
     /// Reciprocal of the length the squashed direction had.
     stretch: <S::Unit as Unit>::Inverse,
     foot: UnitVec3<S>,
-    /// From beside the centre to the foot point.
+    /// From the squashed ray's foot point to the place at `b`.
     past: S::Unit,
     half: S::Unit,
 }
 
 impl<S: Scalar> Ellipsoid<S> {
-    /// An ellipsoid from its centre and radii.
+    /// Returns an ellipsoid from its centre and its radii along x, y and z.
     pub fn new(center: Vec3<S>, radii: Vec3<S>, color: Rgb<S::Unit>, material: Material<S>) -> Self {
         let larger = |a: S, b: S| if a > b { a } else { b };
         let smaller = |a: S, b: S| if a < b { a } else { b };
@@ -67,7 +67,7 @@ impl<S: Scalar> Ellipsoid<S> {
         }
     }
 
-    /// The ray as a sphere sees it, if it meets that sphere.
+    /// Returns the ray in the space where the ellipsoid is a sphere, if it meets that sphere.
     fn squash(&self, ray: &Ray<S>, t_max: S) -> Option<Squashed<S>> {
         let displacement = self.center - ray.origin;
         let b = displacement.dot(ray.direction);

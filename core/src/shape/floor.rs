@@ -6,7 +6,7 @@ use crate::ray::Ray;
 use crate::scalar::Scalar;
 use crate::scalar::vector::{LengthVector, UnitVec3, UnitVector, Vec3, Vector};
 
-/// The floor; opaque.
+/// The opaque floor.
 #[derive(Clone, Copy, Debug)]
 pub struct Floor<S: Scalar> {
     /// Reflectance of the tiles where `floor(x / 3) + floor(y / 3)` is even, and of the others.
@@ -14,7 +14,8 @@ pub struct Floor<S: Scalar> {
 }
 
 impl<S: Scalar> Floor<S> {
-    /// Distance of the hit, from above or below; at most [`Scalar::FAR`], which a ray that sinks at all does reach.
+    /// Returns the distance of the hit, from above or below, at most [`Scalar::FAR`]; `None` where the ray is parallel to the
+    /// floor or leads away from it.
     pub fn intersect(&self, ray: &Ray<S>) -> Option<S> {
         let (height, rise) = (ray.origin.z(), ray.direction.z());
         let zero = UnitVec3::<S>::X.z();
@@ -27,9 +28,8 @@ impl<S: Scalar> Floor<S> {
         }
     }
 
-    /// The surface where [`Floor::intersect`] found the distance `t`, and the colour of the tile.
-    ///
-    /// Beyond `floor_end` the colour is that of the place itself, and the place that is lit is at that distance.
+    /// Returns the surface point of the hit at the distance `t`, and the reflectance of the tile there. Where `t` is beyond
+    /// `floor_end`, the point is that of the floor above or below the ray's place at `floor_end`, the tile still that of the hit.
     pub fn point(&self, ray: &Ray<S>, t: S, floor_end: S) -> (SurfacePoint<S>, Rgb<S::Unit>) {
         let (o, d) = (ray.origin, ray.direction);
         let near = t <= floor_end;

@@ -17,7 +17,7 @@ pub struct Sphere<S: Scalar> {
     pub center: Vec3<S>,
     /// Radius, more than 0.
     pub radius: S,
-    /// Its reciprocal.
+    /// Reciprocal of the radius.
     pub inverse_radius: S::Inverse,
     /// Reflectance of the surface.
     pub color: Rgb<S::Unit>,
@@ -26,12 +26,12 @@ pub struct Sphere<S: Scalar> {
 }
 
 impl<S: Scalar> Sphere<S> {
-    /// A sphere from its centre and radius.
+    /// Returns a sphere from its centre and radius.
     pub fn new(center: Vec3<S>, radius: S, color: Rgb<S::Unit>, material: Material<S>) -> Self {
         Self { center, radius, inverse_radius: radius.inverse(), color, material }
     }
 
-    /// Returns the distance of the nearest hit in ]0, `t_max`[ of a sphere that has no look, such as a lamp.
+    /// Returns the distance of the nearest hit, above 0 and below `t_max`, of any sphere, such as a lamp's.
     #[cfg_attr(not(target_os = "none"), inline)]
     #[cfg_attr(target_os = "none", inline(never))] // rays, shadow rays and lamps share it where flash is short
     pub fn distance(center: Vec3<S>, radius: S, ray: &Ray<S>, t_max: S) -> Option<S> {
@@ -60,7 +60,7 @@ impl<S: Scalar> Primitive<S> for Sphere<S> {
     fn point<N: Needs>(&self, ray: &Ray<S>, t: S) -> SurfacePoint<S> {
         let displacement = self.center - ray.origin;
         let b = displacement.dot(ray.direction);
-        // A place on the ray beside the centre, the centre at 0 and the radius 1.
+        // The foot point, with the centre at 0 and the radius 1.
         let beside = displacement.local(ray.direction, b, self.inverse_radius);
         let past = beside.dot(ray.direction); // what the rounding of b left
         let foot = beside.plus(ray.direction, -past);

@@ -1,7 +1,7 @@
 //! The triangle: its plane, and three planes that stand on it along the edges.
 //!
-//! The ray is looked at from beside a corner, so that nothing is larger than the triangle, and what lies on an edge
-//! belongs to both triangles that share it.
+//! The hit is computed relative to a corner, so that no length exceeds the triangle's. A place on an edge belongs to both
+//! triangles that share it.
 
 use super::{Look, Primitive, SurfacePoint};
 use crate::color::Rgb;
@@ -11,20 +11,20 @@ use crate::ray::Ray;
 use crate::scalar::vector::{LengthVector, UnitVec3, UnitVector, Vec3};
 use crate::scalar::{Scalar, Unit};
 
-/// A triangle, seen from both sides.
+/// A triangle, visible from both sides.
 #[derive(Clone, Copy, Debug)]
 pub struct Triangle<S: Scalar> {
     /// The first vertex.
     pub corner: Vec3<S>,
-    /// The longer one of the edges that meet in it.
+    /// The length of the longer edge at that vertex.
     pub extent: S,
-    /// Unit normal on the outside, from where the vertices run counterclockwise.
+    /// Unit normal on the side from which the vertices run counterclockwise.
     pub normal: UnitVec3<S>,
-    /// For each vertex, the unit vector in the plane towards it that is normal to the opposite edge.
+    /// For each vertex, the unit vector in the plane that is normal to the opposite edge and points to the vertex.
     pub inward: [UnitVec3<S>; 3],
-    /// How far each vertex is from the opposite edge.
+    /// For each vertex, its distance from the opposite edge.
     pub heights: [S; 3],
-    /// Unit normals at the vertices of a surface that is shaded as if it were curved (Phong 1975).
+    /// Unit normals at the vertices, interpolated for a surface that is shaded as if it were curved (Phong 1975).
     pub normals: Option<[UnitVec3<S>; 3]>,
     /// Reflectance of the surface.
     pub color: Rgb<S::Unit>,
@@ -33,7 +33,7 @@ pub struct Triangle<S: Scalar> {
 }
 
 impl<S: Scalar> Triangle<S> {
-    /// The distance of the hit, and its place relative to the corner.
+    /// Returns the distance of the hit and its place relative to the corner, if there is one below `t_max`.
     #[inline]
     fn meet(&self, ray: &Ray<S>, t_max: S) -> Option<(S, Vec3<S>)> {
         let displacement = self.corner - ray.origin;
@@ -47,14 +47,14 @@ impl<S: Scalar> Triangle<S> {
         if b + self.extent <= S::ZERO || b - self.extent >= t_max {
             return None;
         }
-        // What this and the neighbours' tests can be wrong together.
+        // The slack covers the rounding of this test and of the neighbours', so that shared edges have no gaps.
         let reach = self.extent.padded(b);
         let slack = self.extent - reach;
         let foot = displacement.reject(ray.direction, b);
         if foot.norm_squared() > reach.square() {
             return None;
         }
-        // From beside the corner along the ray to the plane.
+        // `way` leads from the foot point of the corner along the ray to the plane.
         let height = foot.dot(self.normal);
         let (rise, is_ahead) = (if height < S::ZERO { -height } else { height }, height > S::ZERO);
         let way = if cosine > S::Unit::ZERO {
@@ -81,7 +81,7 @@ impl<S: Scalar> Triangle<S> {
         inside.then_some((t, place))
     }
 
-    /// The vertices' normals, mixed by how near the place is to each.
+    /// Returns the vertices' normals, interpolated by barycentric coordinates; `None` where they cancel out.
     fn curved(&self, place: Vec3<S>, [first, second, third]: [UnitVec3<S>; 3]) -> Option<UnitVec3<S>> {
         let part = |away: S, height: S| {
             let away = if away < S::ZERO { S::ZERO } else { away };
@@ -111,13 +111,13 @@ impl<S: Scalar> Primitive<S> for Triangle<S> {
                 normal: self.normal,
             };
         };
-        // Back into the plane by what the roundings have left.
+        // Project the place back into the plane, which rounding has left.
         let place = place.reject(self.normal, place.dot(self.normal));
         let mut normal = self.normal;
         if N::NORMALS
             && let Some(normals) = self.normals
             && let Some(curved) = self.curved(place, normals)
-            // Where the curve turns away from an eye that sees the triangle, it is flat.
+            // Use the flat normal where the interpolated one is on the other side of the ray.
             && (curved.dot(ray.direction) > S::Unit::ZERO) == (normal.dot(ray.direction) > S::Unit::ZERO)
         {
             normal = curved;

@@ -1,7 +1,6 @@
-//! What is decided at one point: which lamps count, and which rays are spawned with which weight.
+//! What is decided at a point: whether a lamp lights it, and which secondary rays are spawned with which weights.
 //!
-//! The decisions stand apart from how directions are computed, so that a tracer of several rays side by side takes the very
-//! same.
+//! The decisions are apart from the computation of directions, so that a tracer of several rays side by side shares them.
 
 use crate::color::Rgb;
 use crate::illumination::{Illumination, Weight};
@@ -16,16 +15,16 @@ use crate::surface::Surface;
 /// Where a ray starts and where it goes.
 #[derive(Clone, Copy, Debug)]
 pub struct Start<S: Scalar> {
-    /// The place.
+    /// The place where it starts.
     pub origin: Vec3<S>,
-    /// The unit direction.
+    /// The unit vector along it.
     pub direction: UnitVec3<S>,
 }
 
 /// The place of a ray in the ray tree.
 #[derive(Clone, Copy, Debug)]
 pub struct Branch<W> {
-    /// What part of its light arrives in the pixel.
+    /// The part of its light that arrives in the pixel.
     pub weight: W,
     /// Reflections and refractions between it and the eye.
     pub depth: u8,
@@ -34,7 +33,7 @@ pub struct Branch<W> {
 }
 
 impl<W> Branch<W> {
-    /// A ray from the eye.
+    /// Returns the root of the ray tree: a ray from the eye.
     pub fn eye<S: Scalar>() -> Self
     where
         W: Weight<S>,
@@ -43,8 +42,8 @@ impl<W> Branch<W> {
     }
 }
 
-/// Returns what a surface sends back of a lamp that nothing hides: darkness where the lamp is behind the surface and the model
-/// lights one side alone.
+/// Returns the radiance that a surface sends back of a lamp, before shadows: black where the lamp is behind the surface, unless
+/// the model lights [both sides](Illumination::BOTH_SIDES).
 pub fn direct<S: Scalar, M: Illumination<S>, N: Needs>(
     model: &M,
     surface: &Surface<S>,
@@ -54,12 +53,12 @@ pub fn direct<S: Scalar, M: Illumination<S>, N: Needs>(
     if is_behind && !M::BOTH_SIDES { Rgb::BLACK } else { model.direct::<N>(surface, incident) }
 }
 
-/// A ray that is to be traced.
+/// A secondary ray that is to be traced, if there is one.
 type Spawned<S, W> = Option<(Branch<W>, Start<S>)>;
 
-/// Returns the transmitted and the reflected ray that a surface spawns, as the model weights them: where there is total
-/// internal reflection both are one, and a ray is left out whose weight is below `cutoff`. `reflected` says where the reflected
-/// ray starts and goes, `refracted` the transmitted one, or nothing where there is total internal reflection.
+/// Returns the transmitted and the reflected ray that a surface spawns, with the model's weights. A ray whose weight is below
+/// `cutoff` is left out. `reflected` computes the start of the reflected ray, `refracted` that of the transmitted ray, or `None`
+/// where there is total internal reflection; then the weights of both are joined in the reflected ray.
 #[cfg_attr(not(target_os = "none"), inline(always))]
 pub fn branch<S: Scalar, M: Illumination<S>, N: Needs>(
     model: &M,
@@ -86,11 +85,11 @@ pub fn branch<S: Scalar, M: Illumination<S>, N: Needs>(
     [transmitted, mirrored.map(|branch| (branch, reflected()))]
 }
 
-/// Returns the direction of the transmitted ray by Snell's law; nothing where there is total internal reflection.
+/// Returns the unit direction of the transmitted ray by Snell's law; `None` where there is total internal reflection.
 ///
 /// `T = eta I + (eta cos - sqrt(1 - eta^2 (1 - cos^2))) N`, where eta is the index of refraction where the ray comes
-/// from over that where it goes. Where that is above 1 everything is divided by it, so that no number is: the direction
-/// is normalised in the end anyway.
+/// from over that where it goes. An eta above 1 divides the whole sum, so that no number exceeds 1: the direction is
+/// normalised in the end anyway.
 pub fn refract<S: Scalar>(surface: &Surface<S>, glass: &Glass<S>) -> Option<UnitVec3<S>> {
     let one = S::Unit::ONE;
     let cosine = -surface.normal.dot(surface.incoming);

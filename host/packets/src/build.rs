@@ -1,4 +1,4 @@
-//! Builds the lists that the search goes by, from a scene's description.
+//! Builds the lists of [`Packets`] from a scene's description.
 
 mod four;
 mod light_buffer;
@@ -18,7 +18,7 @@ use crate::number::ToF32;
 use crate::packets::Packets;
 use four::four;
 
-/// So many objects are as quickly tried four by four.
+/// The number of objects up to which they are tested four by four as quickly as by a hierarchy.
 const FEW: usize = 8;
 /// Measured: other costs change the instructions of a picture by 1 %, and these halve the number of leaves.
 const COSTS: Costs = Costs { pair: 1.4, object: 0.3, pack: 1.0, at_once: 4, leaf: 8 };
@@ -87,7 +87,7 @@ pub(super) fn single(value: f64) -> f32 {
     value as f32
 }
 
-/// The sphere about an object; that of a sphere or a lamp is the thing itself.
+/// Returns the bounding sphere of an object; of a sphere or a lamp, the object itself.
 fn ball(scene: &Description, item: Object) -> Option<Ball> {
     let index = |i: u32| i as usize;
     Some(match item {
@@ -107,7 +107,7 @@ fn ball(scene: &Description, item: Object) -> Option<Ball> {
     })
 }
 
-/// The axis and the largest radius of a cone.
+/// Returns the axis and the largest radius of a cone.
 fn rod(scene: &Description, item: Object) -> Option<([f64; 3], f64)> {
     let Object::Cone(i) = item else { return None };
     let cone = scene.cones.get(i as usize)?;
@@ -116,7 +116,7 @@ fn rod(scene: &Description, item: Object) -> Option<([f64; 3], f64)> {
     Some((way.map(|c| c / length), cone.base_radius.max(cone.apex_radius)))
 }
 
-/// The planes of a triangle, in the picture's own numbers: corner, normal and the three across the edges; and its height.
+/// Returns the planes of a triangle in the picture's number format: corner, normal and three across the edges; and its heights.
 fn sheet<S: Narrow + ToF32>(scene: &Description, item: Object) -> Option<([[f32; 3]; 5], f32)> {
     let Object::Triangle(i) = item else { return None };
     let triangle = triangle::narrow::<S>(0, scene.triangles.get(i as usize)?).ok()?;
@@ -135,7 +135,7 @@ fn middle(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
     middle
 }
 
-/// The smallest sphere about a triangle: about its longest side where the angle opposite is not acute, else through all
+/// Returns the smallest sphere about a triangle: about its longest side where the angle opposite is not acute, else through all
 /// three.
 fn about([a, b, c]: [[f64; 3]; 3]) -> Ball {
     let sides = [(a, b, c), (b, c, a), (c, a, b)].map(|(a, b, c)| (length(difference(b, a)), a, b, c));
@@ -164,7 +164,7 @@ fn about([a, b, c]: [[f64; 3]; 3]) -> Ball {
     (place, h.hypot(side / 2.0))
 }
 
-/// How many leaves a tree's leaves take.
+/// Returns the number of leaves of four that the leaves of a tree fill.
 fn leaves(tree: &Tree) -> usize {
     match tree {
         Tree::Leaf(_, _, count) => count.div_ceil(4),
@@ -172,7 +172,7 @@ fn leaves(tree: &Tree) -> usize {
     }
 }
 
-/// What writes nodes and leaves.
+/// The state while nodes and leaves are written.
 struct Maker<'a, S> {
     scene: &'a Description,
     solids: &'a [Solid],
@@ -183,7 +183,7 @@ struct Maker<'a, S> {
 }
 
 impl<S: Narrow + ToF32> Maker<'_, S> {
-    /// Appends `count` objects, and says how many leaves they are.
+    /// Appends `count` objects, and returns the number of leaves that they fill.
     fn leaf(&mut self, first: usize, count: usize) -> usize {
         let run = self.solids.get(first..first + count).unwrap_or_default();
         for (four, first) in run.chunks(4).zip((first..).step_by(4)) {
@@ -228,7 +228,7 @@ impl<S: Narrow + ToF32> Maker<'_, S> {
         count.div_ceil(4)
     }
 
-    /// Writes a tree as nodes of four, preorder, and says how many levels they have.
+    /// Writes a tree as nodes of four in preorder, and returns the number of levels.
     fn emit(&mut self, tree: &Tree, by_size: bool) -> usize {
         let children = four(tree, by_size);
         let number = self.built.nodes.len();

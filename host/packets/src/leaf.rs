@@ -1,4 +1,4 @@
-//! What the search holds: boxes of four, and in the leaves four bounding spheres.
+//! The nodes of the hierarchy, which hold four boxes, and the leaves, which hold four bounding spheres.
 
 use core::fmt;
 use core::num::NonZeroU32;
@@ -8,18 +8,18 @@ use rta_core::scene::Object;
 
 use crate::four::vector::{Vec3x4, pick};
 
-/// Levels of nodes that a hierarchy may have.
+/// The greatest number of levels of nodes in a hierarchy.
 pub(crate) const MAX_DEPTH: usize = 21;
 
 /// Coordinates are below this, so that no square overflows.
 pub(crate) const LARGEST: f32 = 1e17;
 
-/// What is in one of a node's boxes: nothing, another node, which comes later in the list, or a run of leaves.
+/// The child in one of a node's boxes: none, a node that comes later in the list, or a run of leaves.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Child(u32);
 
 impl Child {
-    /// Nothing.
+    /// No child.
     pub(crate) const EMPTY: Self = Self(u32::MAX);
     /// The most leaves in a run.
     pub(crate) const MAX_COUNT: u32 = 14;
@@ -28,12 +28,12 @@ impl Child {
     const FIRST_BITS: u32 = 27;
     const RUN: u32 = 1 << 31;
 
-    /// A node by its number, below 2^31; nothing where it is not.
+    /// Returns the child that is node `number`; [`Child::EMPTY`] where that is not below 2^31.
     pub(crate) const fn node(number: u32) -> Self {
         if number < Self::RUN { Self(number) } else { Self::EMPTY }
     }
 
-    /// A run of `count` leaves from leaf `first` on; nothing where there are too many.
+    /// Returns the child that is a run of `count` leaves from leaf `first` on; [`Child::EMPTY`] where there are too many.
     pub(crate) const fn run_of(first: u32, count: u32) -> Self {
         if first >= Self::MAX_ITEMS || count > Self::MAX_COUNT {
             return Self::EMPTY;
@@ -41,13 +41,13 @@ impl Child {
         Self(Self::RUN | count << Self::FIRST_BITS | first)
     }
 
-    /// Returns the node's number; nothing of a run, or where nothing is.
+    /// Returns the node's number; `None` for a run of leaves and for no child.
     #[inline]
     pub(crate) fn number(self) -> Option<usize> {
         (self.0 & Self::RUN == 0).then(|| index(self.0))
     }
 
-    /// Returns the first of a run, and how many there are; where nothing is, a run beyond all lists.
+    /// Returns the first leaf of a run and the number of leaves; for no child, a run beyond all lists.
     #[inline]
     pub(crate) fn run(self) -> (usize, usize) {
         (index(self.0 & (Self::MAX_ITEMS - 1)), index(self.0 >> Self::FIRST_BITS & 15))
@@ -70,7 +70,7 @@ pub(crate) struct Boxes {
     /// For x, y and z: the least of each box, and the greatest. Where there is no child, the least is infinite and the
     /// greatest its negative.
     pub(crate) planes: [[Vec4; 2]; 3],
-    /// What is in them.
+    /// The children in the boxes.
     pub(crate) children: [Child; 4],
 }
 
@@ -80,7 +80,7 @@ impl Boxes {
         Self { planes: [[Vec4::INFINITY, Vec4::NEG_INFINITY]; 3], children: [Child::EMPTY; 4] };
 }
 
-/// A leaf: four bounding spheres. That of a sphere or a lamp is the thing itself: in `f32` it is met by these numbers.
+/// A leaf: four bounding spheres. For a sphere or a lamp it is the object itself, so that `f32` finds the hit by these numbers.
 #[derive(Clone, Copy, Debug)]
 #[repr(align(64))]
 pub(crate) struct Sphere4 {
@@ -88,7 +88,7 @@ pub(crate) struct Sphere4 {
     pub(crate) center: [Vec4; 3],
     /// Radii; of none it is negative and infinite.
     pub(crate) radius: Vec4,
-    /// What is in them; the floor, which is in no leaf, where there is nothing.
+    /// The objects in them; `Object::Floor`, which is in no leaf, for an empty place.
     pub(crate) items: [Object; 4],
     /// Where there are cones among them, the number of their [`Cone4`]; else [`Sphere4::NO_CONES`].
     pub(crate) cones: u32,
@@ -123,7 +123,7 @@ impl Sphere4 {
     }
 }
 
-/// Endless cylinders about the cones of a leaf: their axes go through its centres.
+/// Infinite cylinders about the cones of a leaf: their axes go through the centres of the leaf's bounding spheres.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Cone4 {
     /// x, y and z of the unit vectors along their axes; of what is no cone, 0.
@@ -133,7 +133,7 @@ pub(crate) struct Cone4 {
 }
 
 impl Cone4 {
-    /// About everything.
+    /// Cylinders that exclude nothing.
     pub(crate) const EMPTY: Self = Self { axis: [Vec4::ZERO; 3], radius: Vec4::ZERO };
 }
 

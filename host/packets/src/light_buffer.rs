@@ -1,8 +1,8 @@
-//! Direction cubes: what lies in which direction from the eye, and from each lamp.
+//! Light buffers: for each direction from the eye, and from each lamp, the leaves that lie there.
 //!
-//! Rays that start at the eye or end at a lamp are most of all rays, and do not need the hierarchy: the light buffer of
-//! E. Haines and D. Greenberg ("The Light Buffer: A Shadow-Testing Accelerator", IEEE CG&A 6, 1986), which serves the eye as
-//! well. Six faces of a cube about the point are cut into cells, and each cell has the leaves that can be seen through it.
+//! Most rays start at the eye or end at a lamp. They do not need the hierarchy, but use the light buffer of E. Haines and
+//! D. Greenberg ("The Light Buffer: A Shadow-Testing Accelerator", IEEE CG&A 6, 1986), which serves the eye as well. The six
+//! faces of a cube about the point are divided into cells, and each cell lists the leaves that are seen through it.
 
 use glam::Vec4;
 
@@ -14,25 +14,25 @@ use crate::rays::RayF32;
 pub(crate) struct Candidate(u32);
 
 impl Candidate {
-    /// More leaves than a cell has: the hierarchy knows them.
+    /// Instead of a leaf's number: there are more leaves than the cell lists, and the hierarchy has to be searched.
     pub(crate) const REST: u32 = (1 << Self::PACK_BITS) - 1;
     const PACK_BITS: u32 = 18;
 
-    /// Of a distance, 0 or more, and the number of a leaf, below [`Candidate::REST`], or that.
+    /// Returns a candidate from a distance, 0 or more, and the number of a leaf, or [`Candidate::REST`].
     #[must_use]
     pub(crate) fn new(near: f32, leaf: u32) -> Self {
         // There is no sign.
         Self(near.to_bits() << 1 & !Self::REST | leaf & Self::REST)
     }
 
-    /// What it has is not nearer than that, beyond [`LightBuffer::nearest`].
+    /// Returns a lower bound of the leaf's distance beyond [`LightBuffer::nearest`].
     #[inline]
     #[must_use]
     pub(crate) fn near(self) -> f32 {
         f32::from_bits((self.0 & !Self::REST) >> 1)
     }
 
-    /// The number of the leaf, or [`Candidate::REST`].
+    /// Returns the number of the leaf, or [`Candidate::REST`].
     #[inline]
     #[must_use]
     pub(crate) const fn leaf(self) -> u32 {
@@ -69,19 +69,19 @@ impl Face {
     };
 }
 
-/// What lies in which direction from a point.
+/// A light buffer: the faces of a cube about the eye or a lamp, divided into cells.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct LightBuffer {
     /// x, y and z of the point; the last is [`Packets::size`].
     pub(crate) center: Vec4,
-    /// How far a ray may pass by the point. What the cells have is larger by twice as much, which is also for the ray's own margin
-    /// and for what these numbers are rounded by.
+    /// The distance by which a ray may miss the point. The objects were enlarged by twice as much for the cells, which also covers
+    /// the ray's own margin and the rounding of these numbers.
     pub(crate) slack: f32,
     /// The largest margin of a ray that it serves.
     pub(crate) margin: f32,
-    /// How far from the point the nearest thing is.
+    /// The distance of the nearest object from the point.
     pub(crate) nearest: f32,
-    /// x, -x, y, -y, z, -z.
+    /// The faces towards x, -x, y, -y, z, -z.
     pub(crate) faces: [Face; 6],
 }
 
@@ -92,11 +92,11 @@ const WHOLE: f32 = 8_388_608.0;
 const DIGITS: u32 = 0x7f_ffff;
 
 impl LightBuffer {
-    /// One that serves no ray.
+    /// A light buffer that serves no ray.
     pub(crate) const NONE: Self =
         Self { center: Vec4::ZERO, slack: 0.0, margin: -1.0, nearest: 0.0, faces: [Face::EMPTY; 6] };
 
-    /// The number of the cell that a direction leads through.
+    /// Returns the number of the cell that a direction leads through.
     #[inline(always)]
     fn cell(&self, direction: Vec4) -> Option<usize> {
         // Without a branch, as the axis is as good as random from one lamp to the next.
@@ -114,7 +114,7 @@ impl LightBuffer {
         Some(index(face.first) + index(cell))
     }
 
-    /// The numbers of the cells that four directions lead through; where there is none, one beyond all.
+    /// Returns the numbers of the cells that four directions lead through; a number beyond all cells where there is none.
     #[inline(always)]
     pub(crate) fn cells(&self, direction: [Vec4; 3]) -> [usize; 4] {
         let [x, y, z] = direction;
@@ -161,14 +161,14 @@ fn one_of(faces: Option<&[Face; 2]>, along: Vec4) -> Option<&Face> {
     }
 }
 
-/// What a ray may meet that goes by the point of a cube, near things first.
+/// The candidates of a ray that passes the point of a light buffer, the nearest first.
 pub(crate) struct Candidates<'a> {
     pub(crate) entries: &'a [Candidate],
     nearest: f32,
 }
 
 impl Candidates<'_> {
-    /// What an entry has is not nearer to the point than that.
+    /// A lower bound of the distance of each candidate from the point.
     #[inline(always)]
     pub(crate) fn near(&self, entry: Candidate) -> f32 {
         entry.near() + self.nearest
@@ -178,16 +178,16 @@ impl Candidates<'_> {
 /// The light buffers of a scene: of the eye, and of each lamp.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct LightBuffers {
-    /// The eye's first; or none at all.
+    /// The light buffer of the eye, then those of the lamps; or none at all.
     pub(crate) buffers: Vec<LightBuffer>,
     /// The first candidate of each cell of the buffers, and where those of the last cell end.
     pub(crate) cells: Vec<u32>,
-    /// The leaves that the cells have.
+    /// The candidates of all cells.
     pub(crate) candidates: Vec<Candidate>,
 }
 
 impl LightBuffers {
-    /// What a ray may meet that starts at the eye; nothing if it does not.
+    /// Returns the candidates of a ray that starts at the eye; `None` if it does not.
     #[inline(always)]
     pub(crate) fn eye_sees(&self, ray: &RayF32) -> Option<Candidates<'_>> {
         let cube = self.buffers.first()?;
@@ -196,8 +196,8 @@ impl LightBuffers {
         is_there.then(|| self.seen(cube, ray.direction))
     }
 
-    /// What a ray may meet nearer than `t_max` that ends at a lamp, by its number, and how far away it starts; nothing if it does not
-    /// end there, or if that is too much.
+    /// Returns the candidates of a ray that ends at lamp number `lamp` within `t_max`, and the distance of its origin from the lamp;
+    /// `None` if it does not end there, or if there are too many candidates.
     #[inline(always)]
     pub(crate) fn lamp_sees(&self, ray: &RayF32, t_max: f32, lamp: usize) -> Option<(Candidates<'_>, f32)> {
         let cube = self.buffers.get(lamp + 1)?;
@@ -223,7 +223,7 @@ impl LightBuffers {
         Candidates { entries: run.unwrap_or_default(), nearest: cube.nearest }
     }
 
-    /// What a cell of a cube has, both by their numbers; the eye's cube is the first.
+    /// Returns the candidates of a cell of a light buffer, both by number; the eye's light buffer is the first.
     #[inline(always)]
     pub(crate) fn in_cell(&self, cube: usize, cell: usize) -> Candidates<'_> {
         let nearest = self.buffers.get(cube).map_or(0.0, |cube| cube.nearest);

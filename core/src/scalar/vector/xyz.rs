@@ -5,7 +5,7 @@ use core::ops::{Add, Neg, Sub};
 
 use super::Vector;
 
-/// Three components of a scalar that has no vectors of its own.
+/// The vector of scalars that are not floats.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Xyz<T> {
     /// East.
@@ -17,7 +17,7 @@ pub struct Xyz<T> {
 }
 
 impl<T> Xyz<T> {
-    /// A vector from its components.
+    /// Returns a vector from its components.
     pub const fn new(x: T, y: T, z: T) -> Self {
         Self { x, y, z }
     }

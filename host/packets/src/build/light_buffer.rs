@@ -1,4 +1,4 @@
-//! Builds the direction cubes of the eye and the lamps.
+//! Builds the light buffers of the eye and the lamps.
 
 use rta_scenes::accelerator::bounds::Bounds;
 use rta_scenes::accelerator::solid::Solid;
@@ -10,16 +10,16 @@ use crate::light_buffer::{Candidate, Face, LightBuffer};
 use crate::number::ToF32;
 use crate::packets::Packets;
 
-/// Packs that a cell has at most. More is seldom looked at: the eye's rays have met something before, and of a shadow ray the
+/// The most leaves that a cell lists. More are seldom needed: the eye's rays have met something before, and for a shadow ray the
 /// hierarchy is as quick.
 const MOST: u32 = 24;
-/// Packs at most that cells are not made for.
+/// The most large leaves for which no cells are made.
 const LARGE: usize = 6;
-/// Cells of a cube at least and at most; between these, half as many as there are objects.
+/// The least and the greatest number of cells of a light buffer; between these, half as many as there are objects.
 const CELLS: core::ops::RangeInclusive<usize> = 4096..=65536;
 
-/// The cubes of a scene whose nodes and leaves are built; `runs` are for each leaf the first of the `solids` in it, and how
-/// many they are.
+/// Adds the light buffers to `built`, whose nodes and leaves are complete; `runs` has for each leaf the index of its first object
+/// in `solids`, and the number of its objects.
 pub(super) fn build<S: ToF32>(
     scene: &Description,
     solids: Vec<Solid>,
@@ -39,7 +39,7 @@ pub(super) fn build<S: ToF32>(
         let margin = S::margin(single(far));
         // By so much a ray may pass by the point: it is pushed off a surface, and its direction is rounded.
         let slack = 2.0 * margin + single(32.0 * f64::from(f32::EPSILON) * (away + size));
-        // That, the ray's own margin and what the cube's numbers are rounded by.
+        // Twice the slack, for the ray's own margin and the rounding of the light buffer's numbers too.
         let reach = 2.0 * f64::from(slack);
         // Where everything is everywhere, it does not help.
         let cube = if reach < size / 16.0 {
@@ -150,7 +150,7 @@ impl Point {
         best.1
     }
 
-    /// Completes a cube; its cells and their entries are appended to what is built.
+    /// Completes a light buffer; its cells and their candidates are appended to those that are built.
     fn look(
         &self,
         cube: LightBuffer,

@@ -1,4 +1,4 @@
-//! What of the six faces of a direction cube something is seen through, and their cells.
+//! Windows: the parts of a light buffer's six faces through which an object is seen; and the cells of the faces.
 
 use core::ops::Range;
 
@@ -11,8 +11,8 @@ const EDGE: f64 = 1.0 + 2.0 * ROUNDING;
 /// Cells of a face along an axis, at most.
 const LONGEST: f64 = 4096.0;
 
-/// What of a face something is seen through: from where to where along its two axes, at the distance 1. The first axis is
-/// the one after the face's own.
+/// The window of an object in a face: its least and greatest coordinates along the two axes of the face, at the distance 1. The
+/// first axis is the one after the face's own.
 #[derive(Clone, Copy)]
 pub(super) struct Window(pub(super) [[f64; 2]; 2]);
 
@@ -29,12 +29,12 @@ impl Window {
     }
 }
 
-/// The same of all faces: x, -x, y, -y, z, -z.
+/// The windows in the faces towards x, -x, y, -y, z, -z.
 #[derive(Clone, Copy, Default)]
 pub(super) struct Windows(pub(super) [Option<Window>; 6]);
 
 impl Windows {
-    /// Those of a box, relative to where it is seen from.
+    /// Returns the windows of a box, relative to the point that it is seen from.
     pub(super) fn of(relative: &Bounds) -> Self {
         let ([lx, ly, lz], [hx, hy, hz]) = (relative.low, relative.high);
         let (x, y, z) = ([lx, hx], [ly, hy], [lz, hz]);

@@ -145,7 +145,7 @@ fn odd_tiles(place: Vec4) -> Vec4 {
 }
 
 /// The places of a floor at the distances `t` along four rays, none of which is far away, and a bit for each that lies in a
-/// tile of the second colour: four times [`Floor::spot`](rta_core::shape::Floor::point).
+/// tile of the second colour: four times [`Floor::point`](rta_core::shape::Floor::point).
 #[inline(always)]
 pub(crate) fn on_floor(rays: &Ray4, t: Vec4) -> (Vec3x4, u32) {
     let Vec3x4([x, y, _]) = rays.origin.plus(rays.direction, t);

@@ -1,9 +1,9 @@
 //! Four rays beside each other, which are searched for together.
 //!
-//! Rays of neighbouring pixels hardly differ, and what one of them does not come near, the others seldom meet (I. Wald, P. Slusallek,
-//! C. Benthin and M. Wagner, "Interactive Rendering with Coherent Ray Tracing", Computer Graphics Forum 20(3), 2001). So four items
-//! are asked at once whether one of the rays, made as thick as the others are away from it, comes near; and of those that are
-//! left each is tested against the four rays at once.
+//! Rays of neighbouring pixels hardly differ: an object that one of them does not come near is seldom met by the others (I. Wald,
+//! P. Slusallek, C. Benthin and M. Wagner, "Interactive Rendering with Coherent Ray Tracing", Computer Graphics Forum 20(3), 2001). So four items
+//! are tested at once against one of the rays, widened to a cone that contains the others; each item that is left is then tested
+//! against the four rays at once.
 
 use glam::Vec4;
 
@@ -25,7 +25,7 @@ pub(crate) struct RayPacket<'a> {
     rays: Rays,
 }
 
-/// One of four rays, made so thick that the others are in it.
+/// One of four rays, widened so that the others are in it.
 pub(crate) struct Frustum {
     origin: [Vec4; 3],
     direction: [Vec4; 3],
@@ -88,7 +88,7 @@ impl<'a> RayPacket<'a> {
         self.rays.t_max.max_element()
     }
 
-    /// The cells of a cube that the rays look through, if all start at the eye; else nothing.
+    /// Returns the cells of the eye's light buffer that the rays lead through; `None` unless all start at the eye.
     #[inline(always)]
     pub(crate) fn eye_cells(&self) -> Option<[usize; 4]> {
         let cube = self.packets.light_buffers.buffers.first()?;
@@ -99,7 +99,7 @@ impl<'a> RayPacket<'a> {
         if there { Some(cube.cells(self.rays.direction)) } else { None }
     }
 
-    /// The same if all end at a lamp, by its number; and how far away the farthest of them starts.
+    /// Returns the cells of a lamp's light buffer, if all rays end at the lamp with that number, and the farthest origin's distance.
     #[inline(always)]
     pub(crate) fn lamp_cells(&self, lamp: usize) -> Option<([usize; 4], f32)> {
         let cube = self.packets.light_buffers.buffers.get(lamp + 1)?;

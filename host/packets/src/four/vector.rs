@@ -114,20 +114,20 @@ pub(crate) fn set(four: &mut Vec4, k: usize, number: f32) {
     *one_mut(four.as_mut(), k) = number;
 }
 
-/// One of four; of `k`, the last two bits count.
+/// Returns a reference to element `k` of four; only the last two bits of `k` count.
 #[inline(always)]
 #[allow(clippy::indexing_slicing, reason = "the index is below 4")]
 pub(crate) fn one_ref<T>(four: &[T; 4], k: usize) -> &T {
     &four[k & 3]
 }
 
-/// The same, a copy.
+/// Returns a copy of element `k` of four; only the last two bits of `k` count.
 #[inline(always)]
 pub(crate) fn one<T: Copy>(four: &[T; 4], k: usize) -> T {
     *one_ref(four, k)
 }
 
-/// The same to be changed.
+/// Returns a mutable reference to element `k` of four; only the last two bits of `k` count.
 #[inline(always)]
 #[allow(clippy::indexing_slicing, reason = "the index is below 4")]
 pub(crate) fn one_mut<T>(four: &mut [T; 4], k: usize) -> &mut T {
