@@ -27,7 +27,6 @@ const GUESS: [u16; 49] = {
 ///
 /// A table with linear interpolation gives 11 bits, two steps of Newton's iteration the rest.
 #[allow(clippy::cast_possible_truncation)] // sizes are at the line
-#[cfg_attr(not(target_os = "none"), inline)]
 pub fn rsqrt(m: u32) -> u32 {
     let i = (m >> 26) as usize - 16 * usize::from(m >= 1 << 30);
     let at = |i: usize| u32::from(GUESS.get(i).copied().unwrap_or(1 << 14));
