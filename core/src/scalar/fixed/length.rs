@@ -139,6 +139,7 @@ macro_rules! fixed_point {
             fn norm_squared(self) -> $wide {
                 self.x.square() + self.y.square() + self.z.square()
             }
+            #[cfg_attr(not(target_os = "none"), inline)]
             fn along(self, direction: Xyz<I2F30>, distance: $f) -> Self {
                 self.zip(direction, |p, d| {
                     let (p, way) = (i64::from(p.to_bits()), wide(d.to_bits(), distance.to_bits()));
@@ -149,6 +150,7 @@ macro_rules! fixed_point {
             fn reject(self, direction: Xyz<I2F30>, distance: $f) -> Self {
                 self.along(direction, -distance)
             }
+            #[cfg_attr(not(target_os = "none"), inline)]
             fn local(self, direction: Xyz<I2F30>, distance: $f, radius: Reciprocal) -> Xyz<I2F30> {
                 let (y, e) = radius.parts();
                 self.zip(direction, |f, d| {
