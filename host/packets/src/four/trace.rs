@@ -9,7 +9,7 @@ use rta_core::illumination::{Illumination, Weight};
 use rta_core::light::{Incident, Lamp};
 use rta_core::material::Glass;
 use rta_core::needs::Needs;
-use rta_core::trace::decision::{Branch, Start, branch, direct};
+use rta_core::trace::decision::{Branch, Start, branch, casts_shadow_ray, direct};
 use rta_core::trace::{Pending, Stack, Tracer};
 
 use super::geometry::{Ray4, leave, normalize, reflect, refract};
@@ -134,8 +134,7 @@ impl<'a, M: Illumination<f32>, const STACK: usize> Trees4<'a, M, STACK> {
                 lamp,
             };
             let light = direct::<f32, M, N>(model, &self.surfaces.surface(rays, k), &incident);
-            // No register is negative.
-            if N::SHADOWS && light.r + light.g + light.b > 0.0 {
+            if casts_shadow_ray::<N, _>(light) {
                 *one_mut(&mut unhidden, k) = light;
                 shadowed |= 1 << k;
             } else {
