@@ -141,6 +141,8 @@ pub trait Unit:
     const ONE: Self;
     /// The largest absolute value.
     const LARGEST: Magnitude;
+    /// More than the rounding error of a sum of a few products of numbers up to 1: 2 EPSILON of a float, or 8 LSB.
+    const ROUNDING: Self;
     /// Returns a bound of the absolute value.
     fn size(self) -> Magnitude;
     /// Returns `numerator / denominator`, rounded to the nearest, for `denominator > 0` and values between -2 and 2.

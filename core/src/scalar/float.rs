@@ -12,6 +12,7 @@ macro_rules! float {
             const ZERO: Self = 0.0;
             const ONE: Self = 1.0;
             const LARGEST: Magnitude = $size($far);
+            const ROUNDING: Self = 2.0 * <$f>::EPSILON;
             #[cfg_attr(not(target_os = "none"), inline)]
             fn size(self) -> Magnitude {
                 $size(self)

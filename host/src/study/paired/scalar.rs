@@ -112,6 +112,7 @@ impl<U: UnitFormat> Unit for Paired<U> {
     const ZERO: Self = Self { format: U::ZERO, twin: 0.0 };
     const ONE: Self = Self { format: U::ONE, twin: 1.0 };
     const LARGEST: Magnitude = U::LARGEST;
+    const ROUNDING: Self = Self { format: U::ROUNDING, twin: <f64 as Unit>::ROUNDING };
     fn size(self) -> Magnitude {
         Unit::size(self.format)
     }
