@@ -86,7 +86,8 @@ pub trait Scalar:
     fn inverse(self) -> Self::Inverse;
     /// Returns `self / whole` for `0 <= self <= whole`, where `whole` is given by its reciprocal.
     fn fraction(self, whole: Self::Inverse) -> Self::Unit;
-    /// Returns `self / slope`, where `slope` (0 to 1) is given by its reciprocal; saturates at [`Scalar::FAR`] and its negative.
+    /// Returns `self / slope`, where `slope` (0 to 1) is given by its reciprocal; saturates at the last length before
+    /// [`Scalar::FAR`] and at its negative.
     fn stretch(self, slope: <Self::Unit as Unit>::Inverse) -> Self;
     /// Returns `self / slope` for `self >= 0` and `slope > 0`; saturates at [`Scalar::FAR`].
     fn over(self, slope: Self::Unit) -> Self;

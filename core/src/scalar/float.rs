@@ -121,7 +121,8 @@ macro_rules! float {
             }
             #[cfg_attr(not(target_os = "none"), inline)]
             fn stretch(self, slope: Self) -> Self {
-                (self * slope).clamp(-$far, $far)
+                let last = <$f>::next_down($far);
+                (self * slope).clamp(-last, last)
             }
             fn over(self, slope: Self) -> Self {
                 (self / slope).min($far)

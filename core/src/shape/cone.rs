@@ -58,6 +58,16 @@ struct Local<S: Scalar> {
     across: UnitVec3<S>,
     /// Unit vector across the axis, in which the ray moves across it.
     heading: UnitVec3<S>,
+    /// Reciprocal of the length of `across`; `None` where it is too short to have been rounded well.
+    stretch: Option<<S::Unit as Unit>::Inverse>,
+}
+
+/// Where a ray meets the endless side, both parts of a double cone.
+struct Crossings<S: Scalar> {
+    /// Offsets from the foot point along the ray in spans.
+    offsets: [Option<S::Unit>; 2],
+    /// By how much the ends are moved, because the offsets are rounded.
+    margin: S::Unit,
 }
 
 /// A hit: its offset from the foot point along the ray in spans, its distance, and which part of the cone it is on.
@@ -92,34 +102,31 @@ impl<S: Scalar> Cone<S> {
         let (foot_along, along) = (foot.dot(self.axis), ray.direction.dot(self.axis));
         let foot_across = foot.plus(self.axis, -foot_along);
         let across = ray.direction.plus(self.axis, -along);
-        let heading = self.heading(across, foot_across);
-        Some(Local { b, past, foot, foot_along, along, foot_across, across, heading })
+        let short = S::Unit::ratio(255, 256);
+        let (heading, stretch) = match across.normalize() {
+            Some((heading, stretch)) if along < short && along > -short => (heading, Some(stretch)),
+            leaning => (self.heading(leaning.map(|(heading, _)| heading), foot_across), None),
+        };
+        Some(Local { b, past, foot, foot_along, along, foot_across, across, heading, stretch })
     }
 
-    /// Returns the unit vector along `across`; for a ray along the axis, along `foot_across`, or any across the axis.
-    fn heading(&self, across: UnitVec3<S>, foot_across: UnitVec3<S>) -> UnitVec3<S> {
+    /// Returns the heading of a ray almost along the axis: `leaning`, the unit vector along a short `across`, leans along the axis,
+    /// because the short vector was rounded. Where it is 0, the heading is along `foot_across`, or any across the axis.
+    fn heading(&self, leaning: Option<UnitVec3<S>>, foot_across: UnitVec3<S>) -> UnitVec3<S> {
         let unit = |v: UnitVec3<S>| v.normalize().map(|(unit, _)| unit);
         let upright = |v: UnitVec3<S>| unit(v.plus(self.axis, -v.dot(self.axis)));
-        match unit(across) {
-            Some(heading) if across.dot(heading) >= S::Unit::ratio(1, 256) => heading,
-            // A short vector was rounded, and leans along the axis.
-            Some(leaning) => upright(leaning).unwrap_or(leaning),
-            None => unit(foot_across)
-                .and_then(upright)
-                .or_else(|| unit(self.axis.cross(UnitVec3::<S>::X)))
-                .unwrap_or(UnitVec3::<S>::Y),
-        }
+        let any = || unit(self.axis.cross(UnitVec3::<S>::X)).unwrap_or(UnitVec3::<S>::Y);
+        leaning.or_else(|| unit(foot_across)).and_then(upright).unwrap_or_else(any)
     }
 
-    /// Returns the offsets of the two places, if any, at which the ray meets the endless side, both parts of a double cone, and
-    /// by how much the ends are moved for the rounding of these offsets.
+    /// Returns the two places, if any, at which the ray meets the endless side.
     ///
     /// In the plane across the axis, with `B` along [`Local::heading`] and `H` beside it, the side is
     /// `(B + K s)^2 + H^2 = (g + M s)^2`. `K` and `M`, how fast the ray moves across the axis and how fast the radius grows, are
     /// scaled to `K^2 + M^2 = 1`, so that no digit is lost for a ray almost along the axis. A fourth of the discriminant is
     /// `(K g - M B)^2 - (K^2 - M^2) H^2`: the distance along the axis has been cancelled in it by hand, so the hit errs by some
     /// roundings of a span, however thin the cone is and wherever along it the ray passes.
-    fn side(&self, local: &Local<S>) -> Option<([Option<S::Unit>; 2], S::Unit)> {
+    fn side(&self, local: &Local<S>) -> Option<Crossings<S>> {
         let (zero, heading) = (S::Unit::ZERO, local.heading);
         let beside = self.cosine.times(local.foot_across.dot(self.axis.cross(heading)));
         let [base, apex] = self.radii;
@@ -129,6 +136,15 @@ impl<S: Scalar> Cone<S> {
         }
         let before = self.cosine.times(local.foot_across.dot(heading));
         let g = self.waist + self.sine.times(local.foot_along);
+        if self.sine == zero
+            && let Some(stretch) = local.stretch
+        {
+            // A cylinder: K is 1, M is 0.
+            let root = S::Unit::radical(g, zero, beside)?;
+            let roots = [-(before + root), root - before];
+            let offsets = roots.map(|root| Some(root.over(stretch)));
+            return Some(Crossings { offsets, margin: S::Unit::ROUNDING.over(stretch) });
+        }
         let slopes: UnitVec3<S> =
             Vector::new(self.cosine.times(local.across.dot(heading)), self.sine.times(local.along), zero);
         let (slopes, stretch) = slopes.normalize()?;
@@ -146,7 +162,7 @@ impl<S: Scalar> Cone<S> {
             [(a != zero).then(|| q.quotient(a)), (q != zero).then(|| c.quotient(q))]
         };
         let offset = |root: Option<S::Unit>| root.map(|root| root.over(stretch));
-        Some((roots.map(offset), S::Unit::ROUNDING.over(stretch)))
+        Some(Crossings { offsets: roots.map(offset), margin: S::Unit::ROUNDING.over(stretch) })
     }
 
     /// Returns the nearest hit at a distance above 0 and below `t_max`, if there is one.
@@ -162,7 +178,7 @@ impl<S: Scalar> Cone<S> {
         };
         // What saturates lies outside the bounding sphere.
         let within = |offset: S::Unit| offset > -one && offset < one;
-        if let Some((offsets, margin)) = self.side(local) {
+        if let Some(Crossings { offsets, margin }) = self.side(local) {
             for offset in offsets.into_iter().flatten().filter(|&offset| within(offset)) {
                 let z = local.foot_along + offset.times(local.along);
                 let beyond = if z < zero { -z } else { z } - self.half_height;
@@ -208,8 +224,12 @@ impl<S: Scalar> Primitive<S> for Cone<S> {
     }
 
     fn point<N: Needs>(&self, ray: &Ray<S>, t: S) -> SurfacePoint<S> {
-        let lost =
-            SurfacePoint { distance: t, point: ray.origin.along(ray.direction, t), normal: -ray.direction };
+        let lost = SurfacePoint {
+            distance: t,
+            point: ray.origin.along(ray.direction, t),
+            normal: -ray.direction,
+            face: None,
+        };
         let Some(local) = self.local(ray, S::FAR) else { return lost };
         let Some(Meeting { offset, distance, part }) = self.meet(ray, &local, S::FAR) else { return lost };
         let place = local.foot.plus(ray.direction, offset);
@@ -225,7 +245,7 @@ impl<S: Scalar> Primitive<S> for Cone<S> {
             Part::Apex => (self.axis, z - self.half_height),
         };
         let place = place.plus(normal, -off);
-        SurfacePoint { distance, point: self.center.along(place, self.span), normal }
+        SurfacePoint { distance, point: self.center.along(place, self.span), normal, face: None }
     }
 
     fn look(&self) -> Look<'_, S> {

@@ -109,20 +109,21 @@ impl<S: Scalar> Primitive<S> for Triangle<S> {
                 distance: t,
                 point: ray.origin.along(ray.direction, t),
                 normal: self.normal,
+                face: None,
             };
         };
         // Project the place back into the plane, which rounding has left.
         let place = place.reject(self.normal, place.dot(self.normal));
-        let mut normal = self.normal;
+        let (mut normal, mut face) = (self.normal, None);
         if N::NORMALS
             && let Some(normals) = self.normals
             && let Some(curved) = self.curved(place, normals)
             // Use the flat normal where the interpolated one is on the other side of the ray.
             && (curved.dot(ray.direction) > S::Unit::ZERO) == (normal.dot(ray.direction) > S::Unit::ZERO)
         {
-            normal = curved;
+            (normal, face) = (curved, Some(normal));
         }
-        SurfacePoint { distance, point: self.corner + place, normal }
+        SurfacePoint { distance, point: self.corner + place, normal, face }
     }
 
     #[inline]

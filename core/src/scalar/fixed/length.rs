@@ -72,7 +72,8 @@ macro_rules! fixed_point {
             }
             #[cfg_attr(not(target_os = "none"), inline)]
             fn stretch(self, slope: Reciprocal) -> Self {
-                Self::from_bits(saturate(slope.times(self.to_bits())))
+                let last = i64::from(i32::MAX - 1);
+                Self::from_bits(word(slope.times(self.to_bits()).clamp(-last, last)))
             }
             fn over(self, slope: I2F30) -> Self {
                 Self::from_bits(saturate(

@@ -224,6 +224,7 @@ fn rays_that_leave() {
             let surface = Surface {
                 point: point[k],
                 normal: normal[k],
+                face: None,
                 incoming: direction[k],
                 distance: 1.0,
                 inside: inside >> k & 1 == 1,
