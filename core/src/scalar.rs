@@ -78,8 +78,14 @@ pub trait Scalar:
 
     /// Returns `self * factor`, rounded.
     fn scale(self, factor: Self::Unit) -> Self;
+    /// Returns `self * other`, exact in fixed point.
+    fn product(self, other: Self) -> Self::Wide;
     /// Returns `self^2`, exact in fixed point.
-    fn square(self) -> Self::Wide;
+    fn square(self) -> Self::Wide {
+        self.product(self)
+    }
+    /// Returns `part / whole`, where both are of one sign and `part` is not larger; 1 for a `whole` of 0.
+    fn part(part: Self::Wide, whole: Self::Wide) -> Self::Unit;
     /// Returns the square root; 0 for a negative square.
     fn sqrt(square: Self::Wide) -> Self;
     /// Returns `1 / self`, for `self > 0`; for anything else an unspecified value, never a panic.

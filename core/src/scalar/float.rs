@@ -106,8 +106,11 @@ macro_rules! float {
                 self * factor
             }
             #[cfg_attr(not(target_os = "none"), inline)]
-            fn square(self) -> Self {
-                self * self
+            fn product(self, other: Self) -> Self {
+                self * other
+            }
+            fn part(part: Self, whole: Self) -> Self {
+                if part == whole { 1.0 } else { part / whole }
             }
             fn sqrt(square: Self) -> Self {
                 if square > 0.0 { $sqrt(square) } else { 0.0 }
