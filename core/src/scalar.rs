@@ -103,8 +103,10 @@ pub trait Scalar:
     /// the ray.
     fn padded(self, distance: Self) -> Self;
 
-    /// Returns the next larger length, for a finite `self` of 0 or more; `self` where there is none.
-    fn next_up(self) -> Self;
+    /// Returns the distance, at most [`Scalar::FAR`], up to which hits cannot be told from one at the distance `self`: that of a
+    /// surface at the same place is farther by no more than its and this one's rounding. `extent` is the size of the other
+    /// object, `cosine`, above 0, that of the angle between the ray and its normal.
+    fn at_one_place(self, extent: Self, cosine: Self::Unit) -> Self;
 
     /// Returns the extent to pass to [`LengthVector::clearance`] for an ellipsoid of the extent `self` whose smallest radius is
     /// `thickness` times that. It is larger in fixed point, which loses digits where the ellipsoid is scaled to a sphere.

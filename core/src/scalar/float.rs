@@ -138,8 +138,8 @@ macro_rules! float {
                 self + 16.0 * <$f>::EPSILON * (distance.abs() + self)
             }
             #[cfg_attr(not(target_os = "none"), inline)]
-            fn next_up(self) -> Self {
-                Self::from_bits(self.to_bits() + 1)
+            fn at_one_place(self, extent: Self, cosine: Self) -> Self {
+                (self + 2.0 * <$f>::EPSILON * (self + extent) / cosine).min($far)
             }
             #[cfg_attr(target_os = "none", inline(never))] // four places ask
             #[allow(clippy::cast_possible_truncation, clippy::cast_precision_loss)] // within its digits

@@ -8,7 +8,7 @@ use rta_core::scene::{Floor, Hit, Object};
 use rta_core::surface::Surface;
 use rta_core::world::{Seen, World};
 
-use super::closest::Closest4;
+use super::closest::Hits4;
 use super::geometry::{Ray4, SurfacePoint4, leave, on_floor, reflect};
 use super::vector::{Vec3x4, lane, mask, one, one_mut, set};
 use crate::leaf::{Bits, index};
@@ -136,13 +136,7 @@ impl<'a> Surfaces4<'a> {
 
     /// Finds what four rays see where they meet something, or where not.
     #[inline(always)]
-    pub(crate) fn see<N: Needs>(
-        &mut self,
-        world: &World<'a, f32>,
-        rays: &Ray4,
-        nearest: &Closest4,
-        there: u32,
-    ) {
+    pub(crate) fn see<N: Needs>(&mut self, world: &World<'a, f32>, rays: &Ray4, nearest: &Hits4, there: u32) {
         let spots = self;
         let (mut on_spheres, mut on_triangles, mut on_floor) = (0, 0, 0);
         let near = nearest.distance.cmple(Vec4::splat(world.limits.floor_end)).bitmask();

@@ -152,7 +152,7 @@ fn triangles() {
             Ray::new(origin, (to - origin).try_normalize().unwrap_or(Vec3::X))
         });
         let four = together(&rays);
-        let free = four.meet_triangle::<false>(&triangle, Vec4::splat(f32::FAR));
+        let free = four.meet_triangle(&triangle, Vec4::splat(f32::FAR));
         let points = SurfacePoint4::on_triangles([&triangle; 4], &four);
         for (k, ray) in rays.iter().enumerate() {
             let right = triangle.intersect(ray, f32::FAR);
@@ -161,9 +161,9 @@ fn triangles() {
             hits += 1;
             // Its own distance is not before itself.
             let end = Vec4::splat(t);
-            assert_eq!(met(four.meet_triangle::<false>(&triangle, end), k), triangle.intersect(ray, t));
+            assert_eq!(met(four.meet_triangle(&triangle, end), k), triangle.intersect(ray, t));
             let at = triangle.intersect(ray, t.next_up());
-            assert_eq!(met(four.meet_triangle::<true>(&triangle, end), k), at);
+            assert_eq!(met(four.meet_triangle(&triangle, Vec4::splat(t.next_up())), k), at);
             ends += u32::from(at.is_some());
             let point = triangle.point::<Everything>(ray, t);
             assert_eq!(lane(&points.distance, k), point.distance);

@@ -40,13 +40,9 @@ impl Feet {
 }
 
 impl Ray4 {
-    /// Which of them meet a triangle before `t_max`, or `AT` it too, and how far away: four times [`Triangle::intersect`].
+    /// Which of them meet a triangle before `t_max`, and how far away: four times [`Triangle::intersect`].
     #[inline(always)]
-    pub(crate) fn meet_triangle<const AT: bool>(
-        &self,
-        triangle: &Triangle<f32>,
-        t_max: Vec4,
-    ) -> (BVec4A, Vec4) {
+    pub(crate) fn meet_triangle(&self, triangle: &Triangle<f32>, t_max: Vec4) -> (BVec4A, Vec4) {
         let (normal, zero) = (Vec3x4::splat(triangle.normal), Vec4::ZERO);
         let vertices = triangle.vertices.map(|vertex| Vec3x4::splat(vertex) - self.origin);
         let (height, cosine) = (vertices[0].dot(normal), normal.dot(self.direction));
@@ -54,16 +50,16 @@ impl Ray4 {
         if !is_ahead.any() {
             return (is_ahead, zero);
         }
-        let is_before = |t: Vec4| if AT { t.cmple(t_max) } else { t.cmplt(t_max) };
         let feet = Feet::new(vertices, normal, cosine, self.direction);
         let ([b, second, third], extent) = (feet.along, Vec4::splat(triangle.extent));
         let reach = extent + Vec4::splat(16.0 * f32::EPSILON) * (b.abs() + extent);
-        let is_near =
-            (b + extent).cmpgt(zero) & is_before(b - extent) & feet.foot.dot(feet.foot).cmple(reach * reach);
+        let is_near = (b + extent).cmpgt(zero)
+            & (b - extent).cmplt(t_max)
+            & feet.foot.dot(feet.foot).cmple(reach * reach);
         let t = b + feet.way;
         let [_, b, c] = vertices;
         let feet = [feet.foot, b - self.direction.scale(second), c - self.direction.scale(third)];
-        (is_ahead & is_near & self.passes_between(feet) & t.cmpgt(zero) & is_before(t), t)
+        (is_ahead & is_near & self.passes_between(feet) & t.cmpgt(zero) & t.cmplt(t_max), t)
     }
 
     /// Returns which rays pass between three feet on them, by the areas of their triangles with each two of the feet.
