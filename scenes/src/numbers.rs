@@ -106,6 +106,9 @@ impl Short {
             _ => 0,
         };
         let power = exponent.parse::<i32>().unwrap_or(0) - 5;
+        // Below a power of ten the steps are a tenth.
+        let (digits, power) =
+            if step < 0 && digits == 100_000 { (10 * digits, power - 1) } else { (digits, power) };
         read(&format!("{}e{power}", digits + step))
     }
 }
