@@ -56,8 +56,8 @@ pub enum Command {
     Show(ShowArgs),
     /// Trace a scene into a picture file
     ///
-    /// The file appears complete or not at all: it is written beside its place and renamed at the end. Pipes and
-    /// devices are written directly. The bytes do not depend on the number of threads.
+    /// The file appears complete or not at all: it gets its name, or replaces a file of that name, at the end. Pipes and
+    /// devices are written directly. A line on standard error tells of the picture. The bytes do not depend on the number of threads.
     #[command(after_help = EXAMPLES)]
     Render(RenderArgs),
     /// Put every number format through the cases that break ray tracers, beside f64

@@ -116,7 +116,7 @@ fn advised(mut error: clap::Error, command: &Command, args: &[OsString]) -> clap
 /// Returns a tip about a word that is neither an option nor the value of one.
 fn spare(word: &str, command: &Command, args: &[OsString]) -> Option<String> {
     let given = |name: &str| args.iter().any(|arg| arg.to_string_lossy().starts_with(name));
-    if has(command, "size") && given("-s") && is_whole(word) {
+    if has(command, "size") && (given("-s") || given("--size")) && is_whole(word) {
         return Some("a size is one word, such as 640x480".to_owned());
     }
     // Where it is optional, the word may well be meant for an input.

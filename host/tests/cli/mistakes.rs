@@ -8,7 +8,6 @@ use std::path::Path;
 
 use super::folder::{Folder, spoilt};
 
-#[cfg(unix)]
 #[test]
 fn every_mistake_is_told_as_it_is_written_down() {
     let folder = Folder::new();

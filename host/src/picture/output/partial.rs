@@ -111,14 +111,8 @@ impl Write for Partial {
 
 impl Hidden {
     fn new(folder: &Path) -> io::Result<Self> {
-        let mut names = names();
-        #[cfg(unix)]
-        {
-            use std::os::unix::fs::PermissionsExt;
-            names.permissions(Permissions::from_mode(0o666));
-        }
         let mut hidden = HIDDEN.lock().unwrap_or_else(PoisonError::into_inner);
-        let file = names.tempfile_in(folder).map_err(|error| io::Error::from(error.kind()))?;
+        let file = names().tempfile_in(folder).map_err(|error| io::Error::from(error.kind()))?;
         hidden.push(file.path().to_owned());
         Ok(Self(file))
     }
@@ -133,6 +127,9 @@ impl Drop for Hidden {
 fn names() -> Builder<'static, 'static> {
     let mut names = Builder::new();
     names.prefix(".rta-").suffix(".part");
+    // As of any other new file, not for the owner alone.
+    #[cfg(unix)]
+    names.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
     names
 }
 
