@@ -6,7 +6,7 @@ use std::io::{self, Write};
 use rta_scenes::description::{self, Description};
 use rta_scenes::fit::{FloorError, fit};
 
-use super::error::{Hint, RequestError};
+use super::error::{Hint, PowerOfTwo, RequestError};
 use super::scene_file::SceneFile;
 use crate::engine::admission::{Refusal, admits, alternatives};
 use crate::engine::{EngineError, Format, Model};
@@ -37,7 +37,12 @@ impl Fit {
         {
             let name = &scene.source;
             // Standard error may be closed: then nobody wants to know.
-            let _ = writeln!(io::stderr(), "rta: {name} is scaled by {factor} to fit {}", self.format);
+            let _ = writeln!(
+                io::stderr(),
+                "rta: {name} is scaled by {} to fit {}",
+                PowerOfTwo(factor),
+                self.format
+            );
             return Cow::Owned(Description { model: scene.description.model, ..scaled });
         }
         Cow::Borrowed(&scene.description)

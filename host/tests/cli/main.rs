@@ -8,7 +8,10 @@ use std::process::Output;
 mod bench;
 mod firmware;
 mod folder;
+#[cfg(all(unix, feature = "image"))] // what the system says, and the names of all picture files
+mod mistakes;
 mod nff;
+mod outputs;
 mod pictures;
 mod pipes;
 mod refused;

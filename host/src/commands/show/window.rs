@@ -16,7 +16,7 @@ use crate::engine::interrupt;
 use crate::error::Error;
 use crate::picture::device::{Device, Target};
 use crate::picture::error::PictureError;
-use crate::picture::output;
+use crate::picture::output::{self, Inputs};
 use crate::request::scene_file::SceneFile;
 
 /// The keys, for the terminal.
@@ -192,7 +192,7 @@ impl InputCallback for Keyboard {
 
 /// Writes a line to standard output.
 fn say(line: &str) -> Result<(), Error> {
-    Ok(output::print(&format!("{line}\n"))?)
+    Ok(output::print(&format!("{line}\n"), Inputs::NONE)?)
 }
 
 #[cfg(test)]
