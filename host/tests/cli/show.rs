@@ -14,7 +14,7 @@ use rta::show::{Command, Show};
 fn show(scene: Scene) -> Show {
     let request = ShowArgs::default().tracing.request(Target::On(Device::Vga));
     let request = Request { size: Some("80x50".parse().expect("a size")), ..request };
-    Show::new(scene, Device::Vga, request, Some(2)).expect("it begins")
+    Show::new(scene, None, request, Some(2)).expect("it begins")
 }
 
 fn complete(show: &mut Show) {
@@ -27,7 +27,7 @@ fn complete(show: &mut Show) {
 }
 
 fn pixels(show: &mut Show) -> Pixels {
-    show.picture().expect("the device answers").pixels
+    show.shown().expect("the device answers").picture().pixels.clone()
 }
 
 #[test]
@@ -50,7 +50,7 @@ fn keys_change_the_picture_and_back() {
     ] {
         for (keys, away) in [(there, true), (back, false)] {
             for key in keys {
-                assert_eq!(show.obey(key), None);
+                show.obey(key);
             }
             complete(&mut show);
             assert_eq!(show.title().contains(word), away, "{}", show.title());
@@ -63,13 +63,15 @@ fn keys_change_the_picture_and_back() {
 fn a_key_does_not_wait_for_the_picture() {
     let mut show = show(Scene::juggler().expect("it is well formed"));
     show.obey(Command::Device);
-    assert_eq!((show.device(), show.request().size), (Device::Graphigs, None));
+    assert_eq!((show.request().target, show.request().size), (Target::On(Device::Graphigs), None));
     for _ in 0..50 {
-        show.obey(Command::Restart);
+        show.obey(Command::Reload);
     }
     show.obey(Command::Device);
     show.obey(Command::Device);
-    assert_eq!(show.device(), Device::Vga);
+    assert_eq!(show.request().target, Target::None);
+    show.obey(Command::Device);
+    assert_eq!(show.request().target, Target::On(Device::Vga));
     complete(&mut show);
 }
 
