@@ -68,19 +68,19 @@ impl Letters {
         whole(self.line)
     }
 
-    /// Draws a box with `lines` of text and room for `columns` letters and for `extra` rows of pixels below the text. Returns the columns
-    /// and rows of the window that are inside of the box below the text.
+    /// Draws a box with `lines` of text and, below them, room for something of `across` x `down` pixels. Returns the columns and rows of
+    /// the window that this room takes; it may be wider.
     pub fn boxed(
         &self,
         frame: &mut Frame,
         lines: &[String],
-        (columns, extra): (usize, usize),
+        (across, down): (usize, usize),
         anchor: Anchor,
     ) -> (Range<usize>, Range<usize>) {
-        let longest = lines.iter().map(|line| line.chars().count()).max().unwrap_or(0).max(columns);
+        let longest = lines.iter().map(|line| line.chars().count()).max().unwrap_or(0);
         let margin = whole(self.line / 2.0);
-        let width = whole(self.letters(longest)) + 2 * margin;
-        let height = lines.len() * self.line() + extra + 2 * margin;
+        let width = whole(self.letters(longest)).max(across) + 2 * margin;
+        let height = lines.len() * self.line() + down + 2 * margin;
         let (right, bottom) = (frame.width.saturating_sub(width), frame.height.saturating_sub(height));
         let (left, top) = match anchor {
             Anchor::Middle => (right / 2, bottom / 2),
@@ -94,7 +94,7 @@ impl Letters {
             self.write(frame, line, left + margin, top + margin + number * self.line());
         }
         let below = top + margin + lines.len() * self.line();
-        (left + margin..left + width - margin, below..below + extra)
+        (left + margin..left + width - margin, below..below + down)
     }
 
     #[expect(clippy::cast_precision_loss, reason = "lines have far fewer than 2^24 letters")]
