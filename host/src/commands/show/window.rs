@@ -192,8 +192,11 @@ struct Drawn {
     overlay: Overlay,
     /// Whether the picture has changed since.
     is_stale: bool,
+    /// When the frame was drawn, and how long that took.
     at: Option<Instant>,
     cost: Duration,
+    /// When the window was given the frame.
+    given: Option<Instant>,
 }
 
 impl Drawn {
@@ -206,17 +209,16 @@ impl Drawn {
         }
         let (width, height) = window.get_size();
         let is_new = overlay != self.overlay || (width, height) != (self.frame.width, self.frame.height);
-        let since = self.at.map_or(Duration::MAX, |at| at.elapsed());
-        if is_new || (self.is_stale && since > 3 * self.cost) {
+        let since = |at: Option<Instant>| at.map_or(Duration::MAX, |at| at.elapsed());
+        let is_due = is_new || (self.is_stale && since(self.at) > 3 * self.cost);
+        if is_due {
             let begin = Instant::now();
             self.frame = overlay::draw(show, &overlay, width, height)?;
-            (self.overlay, self.is_stale, self.cost) = (overlay, false, begin.elapsed());
-        } else if since < REFRESH {
-            window.update();
-            return Ok(());
+            (self.overlay, self.is_stale) = (overlay, false);
+            (self.at, self.cost) = (Some(Instant::now()), begin.elapsed());
         }
-        self.at = Some(Instant::now());
-        if width > 0 && height > 0 {
+        if (is_due || since(self.given) > REFRESH) && width > 0 && height > 0 {
+            self.given = Some(Instant::now());
             // What a window refuses once it may take the next time; closing it ends the loop.
             let _ = window.update_with_buffer(&self.frame.pixels, width, height);
         } else {
