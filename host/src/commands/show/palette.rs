@@ -38,7 +38,8 @@ pub fn draw(frame: &mut Frame, picture: &Displayed, colors: usize, marked: Optio
     let rows = palette.len().div_ceil(COLUMNS);
     let side = (frame.width.min(frame.height) / (2 * COLUMNS)).clamp(4, LARGEST);
     let Some(letters) = Letters::fitting(words, lines.len() + 12, frame.width, frame.height) else { return };
-    let (columns, below) = letters.boxed(frame, &lines, (COLUMNS * side, rows * side), Anchor::TopRight);
+    let across = if palette.is_empty() { 0 } else { COLUMNS * side };
+    let (columns, below) = letters.boxed(frame, &lines, (across, rows * side), Anchor::TopRight);
     let left = columns.start + columns.len().saturating_sub(COLUMNS * side) / 2;
     for ((index, color), used) in (0..).zip(palette).zip(used) {
         let (x, y) = (left + index % COLUMNS * side, below.start + index / COLUMNS * side);

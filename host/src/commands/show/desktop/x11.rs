@@ -1,6 +1,8 @@
 //! The desktop under X11: a connection of the program's own beside that of minifb.
 
 use core::error::Error;
+use core::time::Duration;
+use std::time::Instant;
 
 use minifb::{HasWindowHandle, Window};
 use raw_window_handle::RawWindowHandle;
@@ -18,6 +20,7 @@ x11rb::atom_manager! {
         _NET_SUPPORTED,
         _NET_WM_STATE,
         _NET_WM_STATE_FULLSCREEN,
+        WM_STATE,
     }
 }
 
@@ -29,6 +32,11 @@ const TOGGLE: u32 = 2;
 const FROM_APPLICATION: u32 = 1;
 /// The window manager's list of what it supports is read up to this many atoms.
 const MOST_SUPPORTED: u32 = 4096;
+
+/// The state of a window that is neither iconified nor withdrawn.
+const NORMAL: u32 = 1;
+/// The longest time that a window manager is given to take a window in or let it go.
+const REPLY: Duration = Duration::from_millis(300);
 
 /// A rectangle of the screen.
 #[derive(Clone, Copy, Debug)]
@@ -92,7 +100,36 @@ impl Session {
         let atoms = Atoms::new(&connection)?.reply()?;
         let (property, kind) = (AtomEnum::WM_CLASS, AtomEnum::STRING);
         connection.change_property8(PropMode::REPLACE, window, property, kind, CLASS)?.check()?;
-        Ok(Self { connection, atoms, root, window, before: None })
+        let session = Self { connection, atoms, root, window, before: None };
+        session.appear_again()?;
+        Ok(session)
+    }
+
+    /// Lets a window manager take notice of the class: it reads the class of a window when the window appears, which minifb has let
+    /// it do already.
+    fn appear_again(&self) -> Result<(), Box<dyn Error>> {
+        if !self.is_managed()? {
+            return Ok(());
+        }
+        self.awaits_state(true)?;
+        self.connection.unmap_window(self.window)?.check()?;
+        let withdrawn = self.awaits_state(false);
+        self.connection.map_window(self.window)?.check()?;
+        withdrawn
+    }
+
+    /// Waits until the window manager has taken the window in, or let it go (ICCCM 2.0, 4.1.4), but not for long: some do not say.
+    fn awaits_state(&self, is_in: bool) -> Result<(), Box<dyn Error>> {
+        let (state, begun) = (self.atoms.WM_STATE, Instant::now());
+        while begun.elapsed() < REPLY {
+            let asked = self.connection.get_property(false, self.window, state, AtomEnum::ANY, 0, 1)?;
+            let normal = asked.reply()?.value32().is_some_and(|mut words| words.next() == Some(NORMAL));
+            if normal == is_in {
+                break;
+            }
+            std::thread::sleep(REPLY / 100);
+        }
+        Ok(())
     }
 
     /// Asks the window manager to let the window fill its monitor, or to give it back its place. Where no window manager can, the
