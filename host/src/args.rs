@@ -47,9 +47,10 @@ pub struct Cli {
 pub enum Command {
     /// Show a scene in a window, on the screen of a device
     ///
-    /// The picture fills in as it is traced. Keys: D next device, M next illumination model, F next number
-    /// format, T next colour table, + and - (or up and down) depth, R trace again, S save as a PNG in the current
-    /// folder, H or F1 these keys, Esc or Q leave.
+    /// The picture grows finer as it is traced. Keys: D next device, M next illumination model, F next number format,
+    /// T next colour table, + and - (or up and down) depth, R read the scene file again (a change on disk does so by
+    /// itself), S save as a PNG in the current folder once the picture is complete, P palette, I the pixel under the
+    /// mouse, F11 full screen, H or F1 these keys, Esc or Q leave.
     ///
     /// With no display (neither DISPLAY nor WAYLAND_DISPLAY, or no window to be had) the picture is written as a
     /// PNG into the current folder. No file is ever overwritten by this command.

@@ -13,9 +13,9 @@ use crate::picture::file::FileType;
 pub struct ShowArgs {
     /// Scene file (.dat or .nff), or - for standard input; without one, the Juggler
     pub scene: Option<PathBuf>,
-    /// The display to emulate
-    #[arg(short, long, value_enum, ignore_case = true, default_value_t = Device::Vga)]
-    pub device: Device,
+    /// The display to emulate, or none for 8 bits a gun without a colour table
+    #[arg(short, long, value_enum, ignore_case = true, default_value_t = Target::On(Device::Vga))]
+    pub device: Target,
     /// How the picture is traced.
     #[command(flatten)]
     pub tracing: TracingArgs,
@@ -23,7 +23,7 @@ pub struct ShowArgs {
 
 impl Default for ShowArgs {
     fn default() -> Self {
-        Self { scene: None, device: Device::Vga, tracing: TracingArgs::default() }
+        Self { scene: None, device: Target::On(Device::Vga), tracing: TracingArgs::default() }
     }
 }
 

@@ -17,6 +17,7 @@ mod pipes;
 mod refused;
 mod report;
 mod show;
+mod window;
 
 use folder::Folder;
 use rta::engine::Model;
