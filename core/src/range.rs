@@ -87,13 +87,15 @@ impl Worst {
     }
 }
 
-/// The proof: its rows, and the limits for which they were computed.
+/// The proof: its rows, the limits for which they were computed, and whether they hold.
 #[derive(Clone, Copy, Debug)]
 pub struct Proof<S> {
     /// One row for each [`Quantity`].
     pub bounds: [Bound; 12],
     /// How far floor and vertical cylinders are seen and lit.
     pub limits: Limits<S>,
+    /// Why the scene is refused, if it is.
+    pub refused: Option<RangeError>,
 }
 
 impl<'a, S: Scalar> Scene<'a, S> {
@@ -115,10 +117,9 @@ impl<'a, S: Scalar> Scene<'a, S> {
         camera: &Camera<S>,
         accelerator: A,
     ) -> Result<Admitted<'a, S, A>, RangeError> {
-        self.check_signs()?;
         let proof = self.prove_with(camera, &accelerator);
-        if let Some(row) = proof.bounds.iter().find(|row| !row.holds()) {
-            return Err(RangeError::Exceeds(*row));
+        if let Some(error) = proof.refused {
+            return Err(error);
         }
         // Only after the proof may the distances between nodes and objects be computed.
         accelerator.check(&self).map_err(|WrongNode(node)| RangeError::Hierarchy(node))?;
@@ -248,6 +249,8 @@ impl<'a, S: Scalar> Scene<'a, S> {
             row(Quantity::Radiance, radiance, S::Light::LARGEST),
         ];
         let limits = Limits { floor_end: S::at_most(floor_end), cylinder_end: S::at_most(cylinder_end) };
-        Proof { bounds, limits }
+        let exceeds = || bounds.iter().find(|row| !row.holds()).map(|row| RangeError::Exceeds(*row));
+        let refused = self.check_signs().err().or_else(exceeds);
+        Proof { bounds, limits, refused }
     }
 }

@@ -159,10 +159,10 @@ impl<S: Format> Ready<S> {
         if setup.depth > MAX_DEPTH {
             return Err(Error::Depth { depth: setup.depth, capacity: MAX_DEPTH as usize }.into());
         }
-        // Before the lists: what it takes to build is gone when they come.
-        let packets = Packets::build::<S>(scene);
         let narrowed = narrow::<S>(scene, setup.aspect)?;
         let limits = narrowed.scene().admit(&narrowed.camera).map_err(Error::from)?.limits;
+        // Last, as it takes longest: a scene that is refused is refused at once.
+        let packets = Packets::build::<S>(scene);
         Ok(Self { scene: narrowed, packets, limits, setup: *setup })
     }
 }

@@ -24,6 +24,7 @@ pub fn run(args: &CheckArgs) -> Result<(), Error> {
     let Verdict { rows, refused } = verdict(&description, args.format, aspect);
     print(&table(&scene.title, args.format, &rows))?;
     let Some(reason) = refused else {
+        fit.advise(&scene);
         return Ok(print(&format!("{} is admitted to {}\n", scene.title, args.format))?);
     };
     Err(fit.refused(&scene, reason).into())

@@ -13,7 +13,6 @@ use crate::error::Error;
 use crate::picture::device::Target;
 use crate::picture::output;
 use crate::picture::raster::Size;
-use crate::request::fit::Fit;
 use crate::request::scene_file::SceneFile;
 use crate::study::paired::log::{Flip, Log, Operation};
 use crate::study::paired::ray_tree::{HitKind, Step, Visibility};
@@ -84,7 +83,7 @@ pub fn run(args: &ExplainArgs) -> Result<(), Error> {
     let (width, height) = (size.width(), size.height());
     let (format, model, depth) = (request.format, request.model, request.depth);
     let settings = Settings { width, height, aspect, format, model, depth, ..Settings::default() };
-    let fit = Fit { format, aspect, model: Some(model), asked: request.fit };
+    let fit = request.fit(aspect);
     let description = fit.scaled(&scene);
     let failed = |source| fit.engine_error(&scene, source);
     let (x, y) = match args.pixel {

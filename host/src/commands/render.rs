@@ -41,6 +41,7 @@ pub fn run(args: &RenderArgs) -> Result<(), Error> {
     let scene = SceneFile::open(&args.scene)?;
     let request = args.tracing.request_for(args.device, &scene)?;
     let work = Work::new(&request, &scene, args.tracing.threads, interrupt::watch())?;
+    request.fit(work.aspect).advise(&scene);
     let caption = request.caption(&scene);
     output.fill(|out| work.write(file_type, &caption, out))
 }

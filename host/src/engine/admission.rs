@@ -39,10 +39,10 @@ pub fn verdict(scene: &Description, format: Format, aspect: f64) -> Verdict {
 fn prove<S: Narrow>(scene: &Description, aspect: f64) -> Verdict {
     match narrow::<S>(scene, aspect) {
         Err(error) => Verdict { rows: Vec::new(), refused: Some(error.into()) },
-        Ok(narrowed) => Verdict {
-            rows: narrowed.scene().prove(&narrowed.camera).bounds.to_vec(),
-            refused: narrowed.scene().admit(&narrowed.camera).err().map(Refusal::from),
-        },
+        Ok(narrowed) => {
+            let proof = narrowed.scene().prove(&narrowed.camera);
+            Verdict { rows: proof.bounds.to_vec(), refused: proof.refused.map(Refusal::from) }
+        }
     }
 }
 
@@ -56,8 +56,15 @@ pub fn admits(scene: &Description, format: Format, aspect: f64) -> bool {
 
 /// Returns the formats other than `format` that admit the scene, the finest fixed point first.
 pub fn alternatives(scene: &Description, format: Format, aspect: f64) -> Vec<Format> {
-    let fits = |f: &Format| *f != format && admits(scene, *f, aspect);
-    SUGGESTED.into_iter().filter(fits).collect()
+    let mut fitting: Vec<Format> = Vec::with_capacity(SUGGESTED.len());
+    for other in SUGGESTED.into_iter().filter(|other| *other != format) {
+        // All limits of f64 are beyond those of f32.
+        let is_wider = other == Format::F64 && fitting.contains(&Format::F32);
+        if is_wider || admits(scene, other, aspect) {
+            fitting.push(other);
+        }
+    }
+    fitting
 }
 
 #[cfg(test)]

@@ -14,6 +14,7 @@ mod bvh;
 mod circles;
 mod devices;
 mod examples;
+mod fit;
 mod geometry;
 mod golden;
 mod invariance;
