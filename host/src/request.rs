@@ -115,7 +115,7 @@ impl Request {
     /// Returns how the scene is to be scaled for a screen of the shape `aspect : 1`.
     #[must_use]
     pub const fn fit(&self, aspect: f64) -> Fit {
-        Fit { format: self.format, aspect, model: Some(self.model), asked: self.fit }
+        Fit { format: self.format, aspect, model: Some(self.model), depth: self.depth, asked: self.fit }
     }
 
     /// Makes the scene ready to be traced as asked. If it is scaled, a line on standard error says so.

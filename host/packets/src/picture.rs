@@ -161,6 +161,10 @@ impl<S: Format> Ready<S> {
         }
         let narrowed = narrow::<S>(scene, setup.aspect)?;
         let limits = narrowed.scene().admit(&narrowed.camera).map_err(Error::from)?.limits;
+        let depth = u8::try_from(setup.depth).unwrap_or(u8::MAX);
+        if depth > limits.depth {
+            narrowed.scene().weight(depth).check().map_err(Error::from)?;
+        }
         // Last, as it takes longest: a scene that is refused is refused at once.
         let packets = Packets::build::<S>(scene);
         Ok(Self { scene: narrowed, packets, limits, setup: *setup })

@@ -24,6 +24,8 @@ pub struct Fit {
     /// The illumination model that it is drawn with, which decides whether lamps are attenuated; without one, the model that
     /// the scene was made for.
     pub model: Option<Model>,
+    /// The depth of the rays; 0 where none are traced.
+    pub depth: u32,
     /// Whether `--fit` was given.
     pub asked: bool,
 }
@@ -59,7 +61,7 @@ impl Fit {
     /// Returns the error about a scene that the format does not admit, with the formats that do and what scaling could do.
     #[must_use]
     pub fn refused(&self, scene: &SceneFile, reason: Refusal) -> RequestError {
-        let others = alternatives(&scene.description, self.format, self.aspect);
+        let others = alternatives(&scene.description, self.format, self.aspect, self.depth);
         let (name, fit) = (scene.source.clone(), self.hint(&scene.description));
         RequestError::Refused { name, format: self.format, reason: Box::new(reason), others, fit }
     }
@@ -92,7 +94,7 @@ impl Fit {
             Some(true) => description::Model::Rta,
             Some(false) => description::Model::Phong,
         };
-        fit(scene, model, self.format, |scene| admits(scene, self.format, self.aspect))
+        fit(scene, model, self.format, |scene| admits(scene, self.format, self.aspect, self.depth))
     }
 }
 

@@ -22,6 +22,7 @@ mod models;
 mod needs;
 mod numbers;
 mod properties;
+mod range;
 mod report;
 mod sampling;
 mod single_rays;

@@ -72,7 +72,7 @@ impl Bits for Q20 {
 
 /// Returns the scene, scaled as `--fit` scales it if the number format does not admit it as it is; nothing if no scale helps.
 fn fitted(scene: &Description, format: Format, model: Model) -> Option<Cow<'_, Description>> {
-    let admits = |scene: &Description| admits(scene, format, ASPECT);
+    let admits = |scene: &Description| admits(scene, format, ASPECT, 0);
     if admits(scene) {
         return Some(Cow::Borrowed(scene));
     }
