@@ -70,11 +70,12 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Acceler
     /// of depth `depth` spawns no secondary rays.
     ///
     /// # Errors
-    /// [`Error::Depth`] where `depth` exceeds the capacity `STACK`.
+    /// [`Error::Depth`] where `depth` exceeds the capacity `STACK` or the scene's [`Limits::depth`](crate::scene::Limits::depth).
     pub fn new(scene: Admitted<'a, S, A>, model: M, depth: u32) -> Result<Self, Error> {
-        let error = Error::Depth { depth, capacity: STACK };
+        let capacity = STACK.min(usize::from(scene.limits.depth));
+        let error = Error::Depth { depth, capacity };
         let depth = u8::try_from(depth).map_err(|_| error)?;
-        if usize::from(depth) > STACK {
+        if usize::from(depth) > capacity {
             return Err(error);
         }
         Ok(Self { scene, model, depth, cutoff: S::Unit::ZERO, needs: PhantomData })

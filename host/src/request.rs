@@ -116,10 +116,16 @@ impl Request {
         Ok((size, aspect.ratio()))
     }
 
+    /// Returns how the scene is to be scaled for a screen of the shape `aspect : 1`.
+    #[must_use]
+    pub const fn fit(&self, aspect: f64) -> Fit {
+        Fit { format: self.format, aspect, model: Some(self.model), depth: self.depth, asked: self.fit }
+    }
+
     /// Makes the scene ready to be traced as asked. If it is scaled, a line on standard error says so.
     ///
     /// # Errors
-    /// Those of [`Request::raster`], and [`RequestError::Engine`].
+    /// Those of [`Request::raster`], [`RequestError::Refused`] and [`RequestError::Engine`].
     pub fn engine(&self, scene: &SceneFile) -> Result<Engine, RequestError> {
         let (size, aspect) = self.raster()?;
         let settings = Settings {
@@ -132,9 +138,9 @@ impl Request {
             cutoff: self.cutoff,
             sampling: self.sampling,
         };
-        let asked = Fit { format: self.format, aspect, model: Some(self.model), asked: self.fit };
-        let description = asked.scaled(scene);
-        Engine::new(&description, &settings).map_err(|source| asked.engine_error(scene, source))
+        let fit = self.fit(aspect);
+        let description = fit.scaled(scene);
+        Engine::new(&description, &settings).map_err(|source| fit.engine_error(scene, source))
     }
 
     /// Returns the text that is stored in a picture of `scene`.

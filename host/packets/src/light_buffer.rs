@@ -1,4 +1,4 @@
-//! Light buffers: for each direction from the eye, and from each lamp, the leaves that lie there.
+//! Light buffers: for each direction from the eye, and from each of the first lamps, the leaves that lie there.
 //!
 //! Most rays start at the eye or end at a lamp. They do not need the hierarchy, but use the light buffer of E. Haines and
 //! D. Greenberg ("The Light Buffer: A Shadow-Testing Accelerator", IEEE CG&A 6, 1986), which serves the eye as well. The six
@@ -175,10 +175,10 @@ impl Candidates<'_> {
     }
 }
 
-/// The light buffers of a scene: of the eye, and of each lamp.
+/// The light buffers of a scene: of the eye, and of as many lamps as their memory is enough for.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct LightBuffers {
-    /// The light buffer of the eye, then those of the lamps; or none at all.
+    /// The light buffer of the eye, then those of the first lamps; or none at all.
     pub(crate) buffers: Vec<LightBuffer>,
     /// The first candidate of each cell of the buffers, and where those of the last cell end.
     pub(crate) cells: Vec<u32>,
@@ -187,6 +187,11 @@ pub(crate) struct LightBuffers {
 }
 
 impl LightBuffers {
+    /// Returns how many bytes the cells and candidates take.
+    pub(crate) const fn bytes(&self) -> usize {
+        self.cells.len() * size_of::<u32>() + self.candidates.len() * size_of::<Candidate>()
+    }
+
     /// Returns the candidates of a ray that starts at the eye; `None` if it does not.
     #[inline(always)]
     pub(crate) fn eye_sees(&self, ray: &RayF32) -> Option<Candidates<'_>> {

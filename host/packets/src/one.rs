@@ -73,7 +73,7 @@ impl<S: ToF32> Accelerator<S> for &Packets {
             closest_of::<S, N>(world, &self.leaves, ray, &mut query, &mut closest);
         } else if !closest_seen::<S, N>(self, world, ray, &mut query, &mut closest) {
             let mut stack = TraversalStack::new();
-            let mut traversal = Traversal::new(query, &mut stack);
+            let mut traversal = Traversal::of_all(query, &mut stack);
             while let Some(leaves) = traversal.leaf() {
                 closest_of::<S, N>(world, leaves, ray, &mut traversal.query, &mut closest);
             }

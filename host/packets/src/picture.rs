@@ -179,10 +179,14 @@ impl<S: Format> Ready<S> {
         if setup.depth > MAX_DEPTH {
             return Err(Error::Depth { depth: setup.depth, capacity: MAX_DEPTH as usize }.into());
         }
-        // Before the lists: what it takes to build is gone when they come.
-        let packets = Packets::build::<S>(scene);
         let narrowed = narrow::<S>(scene, setup.aspect)?;
         let limits = narrowed.scene().admit(&narrowed.camera).map_err(Error::from)?.limits;
+        let depth = u8::try_from(setup.depth).unwrap_or(u8::MAX);
+        if depth > limits.depth {
+            narrowed.scene().weight(depth).check().map_err(Error::from)?;
+        }
+        // Last, as it takes longest: a scene that is refused is refused at once.
+        let packets = Packets::build::<S>(scene);
         Ok(Self { scene: narrowed, packets, limits, setup: *setup })
     }
 }

@@ -17,7 +17,7 @@ pub fn run(args: &BakeArgs) -> Result<(), Error> {
     let scene = SceneFile::open(&args.scene)?;
     let aspect = args.aspect.ratio();
     let model = args.model.unwrap_or(scene.description.model.into());
-    let fit = Fit { format: args.format, aspect, model: Some(model), asked: args.fit };
+    let fit = Fit { format: args.format, aspect, model: Some(model), depth: 0, asked: args.fit };
     let description = fit.scaled(&scene);
     let recipe = Recipe { format: args.format, aspect, model };
     let source = match bake::module(&description, &scene.title, &recipe) {

@@ -13,11 +13,10 @@ use crate::error::Error;
 use crate::picture::device::Target;
 use crate::picture::output;
 use crate::picture::raster::Size;
-use crate::request::fit::Fit;
 use crate::request::scene_file::SceneFile;
 use crate::study::paired::log::{Flip, Log, Operation};
 use crate::study::paired::ray_tree::{HitKind, Step, Visibility};
-use crate::study::paired::trail::{GUNS, Pixel, lock_step, picture, pixels};
+use crate::study::paired::trail::{self, GUNS, Pixel, lock_step, picture};
 
 /// Operations that are printed.
 const OPERATIONS: usize = 10;
@@ -45,8 +44,8 @@ pub fn explain(
     y: u32,
 ) -> Result<Option<Explanation>, EngineError> {
     let Some(pixel) = lock_step(scene, settings, x, y)? else { return Ok(None) };
-    let truth = pixels(scene, &reference(settings), y..y + 1)?;
-    Ok(truth.into_iter().nth(x as usize).map(|truth| Explanation { format: settings.format, pixel, truth }))
+    let truth = trail::pixel(scene, &reference(settings), x, y)?;
+    Ok(truth.map(|truth| Explanation { format: settings.format, pixel, truth }))
 }
 
 /// Returns column and row of the pixel whose colour, as a display can show it, is farthest from that in `f64`.
@@ -84,7 +83,7 @@ pub fn run(args: &ExplainArgs) -> Result<(), Error> {
     let (width, height) = (size.width(), size.height());
     let (format, model, depth) = (request.format, request.model, request.depth);
     let settings = Settings { width, height, aspect, format, model, depth, ..Settings::default() };
-    let fit = Fit { format, aspect, model: Some(model), asked: request.fit };
+    let fit = request.fit(aspect);
     let description = fit.scaled(&scene);
     let failed = |source| fit.engine_error(&scene, source);
     let (x, y) = match args.pixel {

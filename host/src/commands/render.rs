@@ -46,6 +46,9 @@ pub fn run(args: &RenderArgs) -> Result<(), Error> {
     let output = output.beside(&scene.inputs)?;
     let request = args.tracing.request_for(args.device, &scene)?;
     let work = Work::new(&request, &scene, args.tracing.threads, interrupt::watch())?.quiet(args.quiet);
+    if !args.quiet {
+        request.fit(work.aspect).advise(&scene);
+    }
     let caption = request.caption(&scene);
     output.fill(|out| work.write(file_type, &caption, out))?;
     if !args.quiet {

@@ -27,14 +27,12 @@ pub enum RequestError {
     #[error(transparent)]
     Scene(#[from] SceneError),
     /// The scene cannot be traced as asked.
-    #[error("{name}: {source}{fit}")]
+    #[error("{name}: {source}")]
     Engine {
         /// Name of the scene.
         name: String,
         /// Why not.
         source: EngineError,
-        /// What scaling it could do.
-        fit: Hint,
     },
     /// The number format does not admit the scene.
     #[error("{name} does not fit {format}: {reason}{}{fit}", fitting(others))]

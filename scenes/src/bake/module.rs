@@ -76,9 +76,10 @@ pub(super) fn write<S: Literal>(
     )?;
     writeln!(
         out,
-        "        ::rta_core::scene::Limits {{ floor_end: {}, cylinder_end: {} }},\n        {},\n    )\n}};",
+        "        ::rta_core::scene::Limits {{ floor_end: {}, cylinder_end: {}, depth: {} }},\n        {},\n    )\n}};",
         length(limits.floor_end),
         length(limits.cylinder_end),
+        limits.depth,
         match hierarchy.bvh() {
             Some(_) => "::rta_core::accelerator::Bvh { nodes: &NODES, order: &ORDER }",
             None => "::rta_core::accelerator::Lists",

@@ -1,6 +1,7 @@
 //! The arithmetic of both twins, each by its own rules.
 
 use rta_core::scalar::{Light, Magnitude, Scalar, Unit};
+use rta_packets::ToF32;
 use rta_scenes::narrow::Narrow;
 
 use super::{Bare, Format, Paired, PairedVector, UnitFormat, Value, log};
@@ -223,5 +224,18 @@ impl<S: Format> Narrow for Paired<S> {
     }
     fn light_to_f64(light: Self::Light) -> f64 {
         S::light_to_f64(light.format)
+    }
+}
+
+/// The search follows the format: its numbers decide.
+impl<S: Format + ToF32> ToF32 for Paired<S> {
+    fn to_f32(self) -> f32 {
+        self.format.to_f32()
+    }
+    fn unit_to_f32(unit: Self::Unit) -> f32 {
+        S::unit_to_f32(unit.format)
+    }
+    fn margin(far: f32) -> f32 {
+        S::margin(far)
     }
 }
