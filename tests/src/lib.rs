@@ -2,6 +2,7 @@
 //! ([`random_scenes`]), golden pictures ([`golden`]), comparison of pictures ([`picture`],
 //! [`exact`]), and the boards under emulation ([`boards`]).
 
+pub mod agreement;
 pub mod boards;
 pub mod close;
 pub mod exact;
