@@ -18,13 +18,13 @@ fn main() -> Result<(), Box<dyn core::error::Error>> {
             continue;
         }
         let scene = Nff::new(&argument, &std::fs::read_to_string(&argument)?, size);
-        let (truth, width) = scene.oracle()?;
+        let truth = scene.oracle()?;
         let double = scene.program(Format::F64)?;
-        println!("{argument}, f64 and oracle: {}", Agreement::new(&truth, &double, width, 1e-3));
+        println!("{argument}, f64 and oracle: {}", Agreement::new(&truth, &double, 1e-3));
         for format in [Format::F32, Format::Q16, Format::Q20] {
             match scene.program(format) {
                 Ok(picture) => {
-                    let agreement = Agreement::new(&double, &picture, width, 1.0 / 63.0);
+                    let agreement = Agreement::new(&double, &picture, 1.0 / 63.0);
                     println!("{argument}, {format} and f64: {agreement}");
                 }
                 Err(error) => println!("{argument}, {format}: {error}"),

@@ -9,8 +9,13 @@ use rta::scene::Scene as SceneFile;
 use crate::oracle::nff;
 use crate::picture::render;
 
-/// Linear light, row by row from the top.
-type Picture = Vec<[f64; 3]>;
+/// A picture in linear light that is not clamped.
+pub struct Picture {
+    /// Row by row from the top.
+    pub pixels: Vec<[f64; 3]>,
+    /// Pixels in a row.
+    pub width: usize,
+}
 
 /// Recursion depth of the pictures, which is the program's default.
 pub const DEPTH: u32 = 5;
@@ -30,21 +35,21 @@ pub struct Agreement {
 }
 
 impl Agreement {
-    /// Compares two pictures of rows of `width` pixels; a pixel agrees if its registers, clamped to [0, 1], differ by no more
-    /// than `limit`.
+    /// Compares two pictures; a pixel agrees if its registers, clamped to [0, 1], differ by no more than `limit`.
     ///
     /// # Panics
-    /// The pictures have different numbers of pixels.
+    /// The pictures have different sizes.
     #[must_use]
-    pub fn new(one: &[[f64; 3]], other: &[[f64; 3]], width: usize, limit: f64) -> Self {
-        assert_eq!(one.len(), other.len(), "pictures of one size");
+    pub fn new(one: &Picture, other: &Picture, limit: f64) -> Self {
+        let width = one.width;
+        assert_eq!((width, one.pixels.len()), (other.width, other.pixels.len()), "pictures of one size");
         let difference = |(p, q): (&[f64; 3], &[f64; 3])| {
             let registers = p.iter().zip(q).map(|(a, b)| (a.clamp(0.0, 1.0) - b.clamp(0.0, 1.0)).abs());
             // What is no number agrees with nothing.
-            registers.fold(0.0, |most: f64, error| if error <= most { most } else { error })
+            registers.map(|error| if error.is_nan() { f64::INFINITY } else { error }).fold(0.0, f64::max)
         };
-        let errors: Vec<f64> = one.iter().zip(other).map(difference).collect();
-        let outside = (0..).zip(&errors).filter(|(_, error)| !(**error <= limit));
+        let errors: Vec<f64> = one.pixels.iter().zip(&other.pixels).map(difference).collect();
+        let outside = (0..).zip(&errors).filter(|(_, error)| **error > limit);
         let outside: Vec<_> = outside.map(|(pixel, _)| (pixel % width, pixel / width)).collect();
         Self {
             percent: 100.0 - 100.0 * outside.len() as f64 / errors.len() as f64,
@@ -60,7 +65,11 @@ impl fmt::Display for Agreement {
         for (x, y) in self.outside.iter().take(NAMED) {
             write!(f, " {x},{y}")?;
         }
-        if self.outside.len() > NAMED { write!(f, " and {} more", self.outside.len() - NAMED) } else { Ok(()) }
+        if self.outside.len() > NAMED {
+            write!(f, " and {} more", self.outside.len() - NAMED)
+        } else {
+            Ok(())
+        }
     }
 }
 
@@ -84,16 +93,16 @@ impl Nff {
         Self { name: name.to_owned(), text }
     }
 
-    /// Returns the oracle's picture and the number of its columns.
+    /// Returns the oracle's picture.
     ///
     /// # Errors
     /// What the oracle cannot read.
-    pub fn oracle(&self) -> Result<(Picture, usize), String> {
+    pub fn oracle(&self) -> Result<Picture, String> {
         let scene = nff::read(&self.text).map_err(|error| format!("{}: {error}", self.name))?;
-        Ok((nff::render(&scene, DEPTH), scene.width()))
+        Ok(Picture { pixels: nff::render(&scene, DEPTH), width: scene.width() })
     }
 
-    /// Returns the picture that `rta render --device none --fit` draws, in linear light.
+    /// Returns the picture that `rta render --device none --fit` draws.
     ///
     /// # Errors
     /// What the program refuses, by its message.
@@ -113,6 +122,8 @@ impl Nff {
             depth: DEPTH,
             ..Settings::default()
         };
-        render(&fit.scaled(&scene), &settings).map_err(|error| format!("{}: {error}", self.name))
+        let pixels =
+            render(&fit.scaled(&scene), &settings).map_err(|error| format!("{}: {error}", self.name))?;
+        Ok(Picture { pixels, width: width as usize })
     }
 }

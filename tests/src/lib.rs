@@ -1,5 +1,5 @@
-//! Tools of the tests that span several crates: an independent renderer ([`oracle`]), generated scenes
-//! ([`random_scenes`]), golden pictures ([`golden`]), comparison of pictures ([`picture`],
+//! Tools of the tests that span several crates: independent renderers ([`oracle`]), generated scenes
+//! ([`random_scenes`]), golden pictures ([`golden`]), comparison of pictures ([`picture`], [`agreement`],
 //! [`exact`]), and the boards under emulation ([`boards`]).
 
 pub mod agreement;

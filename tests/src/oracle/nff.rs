@@ -2,26 +2,32 @@
 //! `phong` and the ray tree of the thesis's model. It shares nothing with the tracer or its readers, and computes all in `f64`.
 //!
 //! # The rules
-//! - **View.** `angle` lies between the centres of the first and the last row of pixels; pixels are square.
-//! - **Light.** A lamp is a point, as bright at any distance and in any direction; one without a colour has
-//!   1/sqrt(number of lamps). There is no ambient light.
+//! - **View.** `angle` lies between the centres of the first and the last row of pixels; pixels are square. `hither` cuts nothing off.
+//! - **Light.** A lamp is a point, as bright as it says at any distance; one without a colour has 1/sqrt(n), where n is the number
+//!   of all lamps. There is no ambient light, and lamps are not seen.
+//! - **Surfaces** are seen from both sides and are thin: cones have no caps. A sphere with a negative radius, and a cone of which no
+//!   radius is positive, are there for rays from inside alone, also for those to a lamp.
+//! - **Polygons** (`p`) are what their outline winds around (the non-zero rule).
 //! - **Radiance** that a ray brings, with C the fill's colour, N the unit normal on the ray's side, L the unit vector to a lamp
 //!   of colour E, V that to the ray's origin and R = 2 (N.L) N - L:
 //!   `sum S E [Kd C (N.L) + Ks max(0, R.V)^Shine] + Ks I_reflected + T I_transmitted`, summed over the lamps with N.L > 0.
 //! - **Shadows.** S is the product of T over all surfaces between the place and the lamp, once for each object, straight on.
-//! - **Transmission** after Snell; inside is where the outward normal points away: out of a sphere, away from a cone's axis, to the
-//!   side that a polygon is counter-clockwise from. In total internal reflection the weight T goes to the reflected ray.
+//! - **Transmission** after Snell; inside is where the outward normal points away from: a sphere's inside, a cone's axis, the side
+//!   from which a polygon is clockwise. An index of 0 is one of 1. In total internal reflection the weight T goes to the
+//!   reflected ray.
 //! - **Ray tree.** An eye ray has depth 0, and a ray of the largest depth spawns no other.
-//! - **Patches** (`pp`) are cut to triangles from the first corner on, each of which mixes its corners' normals. The mixed
-//!   normal shades and reflects; a reflected ray that would lead behind the triangle is mirrored at it, and a
-//!   transmitted one that would stay before it, too. A lamp behind the triangle gives nothing.
+//! - **Patches** (`pp`) are cut to triangles from the first corner on, each an object, which mixes the normals of its corners. The
+//!   mixed normal shades and bends rays; where the ray sees it from behind, the triangle's own does. A reflected ray that
+//!   would lead behind the triangle is mirrored at it, and so is a transmitted one that would stay before it. A lamp behind
+//!   the triangle gives nothing.
 
+use crossing::{Crossing, Departure, Ray};
 use search::Boxes;
-use shape::{Crossing, Departure, Ray};
 
 use super::Color;
 use super::vector::{Vector, cross, difference, dot, largest, length, product, scale, sum, unit};
 
+mod crossing;
 mod scene;
 mod search;
 mod shape;
@@ -160,8 +166,11 @@ impl<'a> Oracle<'a> {
         let mut nearest: Option<(usize, Crossing)> = None;
         let mut before = f64::INFINITY;
         self.boxes.visit(ray, &mut before, &mut |number| {
-            let crossings =
-                self.scene.objects.get(number).map(|object| object.shape.crossings(ray, departure(left, number)));
+            let crossings = self
+                .scene
+                .objects
+                .get(number)
+                .map(|object| object.shape.crossings(ray, departure(left, number)));
             for crossing in crossings.into_iter().flatten().flatten() {
                 if crossing.t > self.least && nearest.is_none_or(|(_, nearest)| crossing.t < nearest.t) {
                     nearest = Some((number, crossing));

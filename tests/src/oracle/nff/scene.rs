@@ -82,6 +82,8 @@ pub fn read(text: &str) -> Result<Scene, String> {
             }
             "f" => {
                 let (color, [kd, ks, shine, kt, ior]) = (words.vector()?, words.numbers()?);
+                // No index at all is that of the outside.
+                let ior = if ior == 0.0 { 1.0 } else { ior };
                 fill = Fill { color, kd, ks, shine, kt, ior };
                 continue;
             }
@@ -93,7 +95,10 @@ pub fn read(text: &str) -> Result<Scene, String> {
                 scene.lamps.push(Lamp { position, color });
                 continue;
             }
-            "s" => vec![Some(Shape::Ball(Ball { center: words.vector()?, radius: words.number()? }))],
+            "s" => {
+                let (center, radius) = (words.vector()?, words.number()?);
+                vec![Some(Shape::Ball(Ball { center, radius: radius.abs(), inside_only: radius < 0.0 }))]
+            }
             "c" => {
                 let (base, base_radius) = (words.vector()?, words.number()?);
                 let (apex, apex_radius) = (words.vector()?, words.number()?);

@@ -1,7 +1,7 @@
 //! A hierarchy of boxes, so that scenes of thousands of objects take seconds.
 
 use super::super::vector::{Vector, difference, largest, product, sum};
-use super::shape::{Ray, around};
+use super::crossing::{Ray, around};
 
 /// Most objects of a leaf.
 const LEAF: usize = 4;

@@ -1,35 +1,8 @@
 //! Where a ray meets a sphere, a flat polygon and a triangle with normals at its corners.
 
 use super::super::vector::{Vector, cross, difference, dot, length, scale, sum, unit};
+use super::crossing::{Crossing, Crossings, Departure, Ray, around, departed};
 use super::tube::Tube;
-
-/// A ray: its origin and its direction of length 1.
-#[derive(Clone, Copy)]
-pub(super) struct Ray {
-    pub(super) origin: Vector,
-    pub(super) direction: Vector,
-}
-
-/// What a ray that starts on a surface does: it goes out of it, on the side of the outward normal, or into it.
-#[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum Departure {
-    Out,
-    In,
-}
-
-/// Where a ray goes through a surface.
-#[derive(Clone, Copy)]
-pub(super) struct Crossing {
-    /// Distance from the ray's origin, of either sign.
-    pub(super) t: f64,
-    /// The surface's own normal on its outer side, of length 1.
-    pub(super) outward: Vector,
-    /// The normal that the surface is shaded with, on the same side, of length 1.
-    pub(super) shading: Vector,
-}
-
-/// The crossings of a ray with one surface, two at most, in no order.
-pub(super) type Crossings = [Option<Crossing>; 2];
 
 pub(super) enum Shape {
     Ball(Ball),
@@ -55,7 +28,7 @@ impl Shape {
     /// Returns the two opposite corners of a box around the surface.
     pub(super) fn bounds(&self) -> [Vector; 2] {
         match self {
-            Self::Ball(Ball { center, radius }) => {
+            Self::Ball(Ball { center, radius, .. }) => {
                 [center.map(|part| part - radius), center.map(|part| part + radius)]
             }
             Self::Tube(tube) => tube.bounds(),
@@ -65,30 +38,11 @@ impl Shape {
     }
 }
 
-/// Returns the box around some places.
-pub(super) fn around(places: &[Vector]) -> [Vector; 2] {
-    let [mut low, mut high] = [[f64::INFINITY; 3], [f64::NEG_INFINITY; 3]];
-    for [x, y, z] in places {
-        low = [low[0].min(*x), low[1].min(*y), low[2].min(*z)];
-        high = [high[0].max(*x), high[1].max(*y), high[2].max(*z)];
-    }
-    [low, high]
-}
-
-/// Of the two roots of a ray with a closed surface, leaves those that count after a departure from that surface. A root is
-/// a distance along the ray from a place that is `start` from the ray's origin; the root of the origin itself is the nearer one.
-pub(super) fn departed(roots: [f64; 2], start: f64, left: Option<Departure>) -> [Option<f64>; 2] {
-    let [one, other] = roots;
-    match left {
-        None => roots.map(Some),
-        Some(Departure::Out) => [None; 2],
-        Some(Departure::In) => [Some(if (start + one).abs() > (start + other).abs() { one } else { other }), None],
-    }
-}
-
 pub(super) struct Ball {
     pub(super) center: Vector,
     pub(super) radius: f64,
+    /// Whether it is there for rays from inside alone.
+    pub(super) inside_only: bool,
 }
 
 impl Ball {
@@ -105,10 +59,14 @@ impl Ball {
         departed([-half, half], along, left).map(|root| {
             let root = root?;
             let outward = unit(sum([foot, scale(root, ray.direction)]));
-            Some(Crossing { t: along + root, outward, shading: outward })
+            let is_there = !(self.inside_only && dot(outward, ray.direction) < 0.0);
+            is_there.then_some(Crossing { t: along + root, outward, shading: outward })
         })
     }
 }
+
+/// An area that is smaller than this share of the largest between two sides is 0 but for rounding.
+const FLAT: f64 = 1e-9;
 
 /// A flat polygon, convex or not: it is what its outline winds around (the non-zero rule).
 pub(super) struct Outline {
@@ -124,11 +82,14 @@ impl Outline {
     pub(super) fn new(corners: Vec<Vector>) -> Option<Self> {
         let share = 1.0 / corners.len() as f64;
         let center = corners.iter().fold([0.0; 3], |so_far, corner| sum([so_far, scale(share, *corner)]));
-        // Newell's normal: the mean of the corners' cross products.
-        let normal = edges(&corners).fold([0.0; 3], |so_far, (from, to)| {
+        let sides = || edges(&corners).map(|(from, to)| difference(to, from));
+        let crosses = sides().flat_map(|one| sides().map(move |other| cross(one, other)));
+        let steepest = crosses.max_by(|one, other| length(*one).total_cmp(&length(*other)))?;
+        // Newell's normal: the sum of the corners' cross products. It is 0 for an even bow tie, which has two sides alike.
+        let newell = edges(&corners).fold([0.0; 3], |so_far, (from, to)| {
             sum([so_far, cross(difference(from, center), difference(to, center))])
         });
-        let normal = unit(normal);
+        let normal = unit(if length(newell) > FLAT * length(steepest) { newell } else { steepest });
         let [x, y, z] = normal.map(f64::abs);
         let least = if x <= y && x <= z {
             [1.0, 0.0, 0.0]
@@ -209,7 +170,6 @@ impl Triangle {
         let [u, v, w] = weights.map(|weight| weight / whole);
         let [p, q, r] = self.normals;
         let mixed = unit(sum([scale(u, p), scale(v, q), scale(w, r)]));
-        let shading = if dot(mixed, self.outward) < 0.0 { scale(-1.0, mixed) } else { mixed };
-        t.is_finite().then_some(Crossing { t, outward: self.outward, shading })
+        t.is_finite().then_some(Crossing { t, outward: self.outward, shading: mixed })
     }
 }

@@ -1,7 +1,7 @@
 //! Where a ray meets a cone or cylinder between two points, which has no end caps.
 
 use super::super::vector::{Vector, cross, difference, dot, length, scale, sum, unit};
-use super::shape::{Crossing, Crossings, Departure, Ray, around, departed};
+use super::crossing::{Crossing, Crossings, Departure, Ray, around, departed};
 
 pub(super) struct Tube {
     ends: [Vector; 2],
@@ -36,7 +36,8 @@ impl Tube {
 
     pub(super) fn bounds(&self) -> [Vector; 2] {
         let [[base_low, base_high], [apex_low, apex_high]] = [0, 1].map(|end: usize| {
-            let (center, radius) = if end == 0 { (self.ends[0], self.radii[0]) } else { (self.ends[1], self.radii[1]) };
+            let (center, radius) =
+                if end == 0 { (self.ends[0], self.radii[0]) } else { (self.ends[1], self.radii[1]) };
             [center.map(|part| part - radius), center.map(|part| part + radius)]
         });
         around(&[base_low, base_high, apex_low, apex_high])
