@@ -78,15 +78,22 @@ pub trait Scalar:
 
     /// Returns `self * factor`, rounded.
     fn scale(self, factor: Self::Unit) -> Self;
+    /// Returns `self * other`, exact in fixed point.
+    fn product(self, other: Self) -> Self::Wide;
     /// Returns `self^2`, exact in fixed point.
-    fn square(self) -> Self::Wide;
+    fn square(self) -> Self::Wide {
+        self.product(self)
+    }
+    /// Returns `part / whole`, where both are of one sign and `part` is not larger; 1 for a `whole` of 0.
+    fn part(part: Self::Wide, whole: Self::Wide) -> Self::Unit;
     /// Returns the square root; 0 for a negative square.
     fn sqrt(square: Self::Wide) -> Self;
     /// Returns `1 / self`, for `self > 0`; for anything else an unspecified value, never a panic.
     fn inverse(self) -> Self::Inverse;
     /// Returns `self / whole` for `0 <= self <= whole`, where `whole` is given by its reciprocal.
     fn fraction(self, whole: Self::Inverse) -> Self::Unit;
-    /// Returns `self / slope`, where `slope` (0 to 1) is given by its reciprocal; saturates at [`Scalar::FAR`] and its negative.
+    /// Returns `self / slope`, where `slope` (0 to 1) is given by its reciprocal; saturates at the last length before
+    /// [`Scalar::FAR`] and at its negative.
     fn stretch(self, slope: <Self::Unit as Unit>::Inverse) -> Self;
     /// Returns `self / slope` for `self >= 0` and `slope > 0`; saturates at [`Scalar::FAR`].
     fn over(self, slope: Self::Unit) -> Self;
@@ -141,6 +148,8 @@ pub trait Unit:
     const ONE: Self;
     /// The largest absolute value.
     const LARGEST: Magnitude;
+    /// More than the rounding error of a sum of a few products of numbers up to 1: 2 EPSILON of a float, or 8 LSB.
+    const ROUNDING: Self;
     /// Returns a bound of the absolute value.
     fn size(self) -> Magnitude;
     /// Returns `numerator / denominator`, rounded to the nearest, for `denominator > 0` and values between -2 and 2.

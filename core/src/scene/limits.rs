@@ -5,6 +5,6 @@
 pub struct Limits<S> {
     /// Distance from a ray's origin beyond which a place of the floor is lit as if it were at this distance.
     pub floor_end: S,
-    /// Vertical cylinders are seen between this height and its negative.
+    /// A place of a vertical cylinder above this height, or below its negative, is lit as if it were there.
     pub cylinder_end: S,
 }

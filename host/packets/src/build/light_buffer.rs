@@ -42,15 +42,15 @@ pub(super) fn build<S: ToF32>(
         // Twice the slack, for the ray's own margin and the rounding of the light buffer's numbers too.
         let reach = 2.0 * f64::from(slack);
         // Where everything is everywhere, it does not help.
-        let cube = if reach < size / 16.0 {
+        let buffer = if reach < size / 16.0 {
             let [x, y, z] = center.map(single);
-            let cube =
+            let buffer =
                 LightBuffer { center: [x, y, z, built.size].into(), slack, margin, ..LightBuffer::NONE };
-            Point { center, reach }.look(cube, &boxes, runs, built)
+            Point { center, reach }.look(buffer, &boxes, runs, built)
         } else {
             LightBuffer::NONE
         };
-        built.light_buffers.buffers.push(cube);
+        built.light_buffers.buffers.push(buffer);
     }
     built.light_buffers.cells.push(as_number(built.light_buffers.candidates.len()));
 }
@@ -153,7 +153,7 @@ impl Point {
     /// Completes a light buffer; its cells and their candidates are appended to those that are built.
     fn look(
         &self,
-        cube: LightBuffer,
+        buffer: LightBuffer,
         boxes: &[Rounded],
         runs: &[(u32, u32)],
         built: &mut Packets,
@@ -199,7 +199,7 @@ impl Point {
         for ((number, face), grid) in faces.iter_mut().enumerate().zip(&grids) {
             *face = self::face(number / 2, grid, base);
         }
-        LightBuffer { nearest: single(nearest), faces, ..cube }
+        LightBuffer { nearest: single(nearest), faces, ..buffer }
     }
 }
 

@@ -134,21 +134,12 @@ fn triangles() {
     let (mut hits, mut ends) = (0, 0);
     often(|random| {
         let [a, b, c] = [random.place(), random.place(), random.place()];
-        let corner = a;
         let Some(normal) = (b - a).cross(c - a).try_normalize() else { return };
         let extent = (b - a).length().max((c - a).length());
-        let inward = [(c, b, a), (a, c, b), (b, a, c)].map(|(from, to, vertex)| {
-            let edge = (to - from).try_normalize().unwrap_or(Vec3::X);
-            let across = (vertex - from).reject_from_normalized(edge);
-            across.try_normalize().unwrap_or(Vec3::Y)
-        });
-        let heights = [(a - b).dot(inward[0]), (b - a).dot(inward[1]), (c - a).dot(inward[2])];
         let triangle = Triangle {
-            corner,
+            vertices: [a, b, c],
             extent,
             normal,
-            inward,
-            heights,
             normals: None,
             color: GREY,
             material: Material::Opaque,
@@ -224,6 +215,7 @@ fn rays_that_leave() {
             let surface = Surface {
                 point: point[k],
                 normal: normal[k],
+                face: None,
                 incoming: direction[k],
                 distance: 1.0,
                 inside: inside >> k & 1 == 1,
