@@ -11,7 +11,7 @@ use clap::{Parser, Subcommand};
 
 pub use explain::{Choice, ExplainArgs};
 pub use picture::{HashArgs, RenderArgs, ShowArgs};
-pub use scene::{BakeArgs, CheckArgs};
+pub use scene::{BakeArgs, CheckArgs, ReadingArgs};
 pub use study::{BenchArgs, InstructionsArgs, Peer, ReportArgs, StabilityArgs, TracedArgs};
 pub use tracing::TracingArgs;
 

@@ -5,6 +5,7 @@
 //! later, when the description becomes a scene of that format.
 
 use crate::space::unit;
+use crate::warning::Warning;
 
 /// A whole scene.
 #[derive(Clone, Debug, PartialEq)]
@@ -33,6 +34,8 @@ pub struct Description {
     pub model: Model,
     /// Width and height in pixels that the scene was made for, if its file says so; the pixels are square.
     pub raster: Option<[u32; 2]>,
+    /// What the reader has to say about the file.
+    pub warnings: Vec<Warning>,
 }
 
 /// The illumination model that a scene was made for.
@@ -249,10 +252,11 @@ impl Description {
             sky: Sky { horizon: [0.0; 3], zenith: [0.0; 3] },
             model: Model::Rta,
             raster: None,
+            warnings: Vec::new(),
         }
     }
 
-    /// The same scene with every `line` set to 0: two files say the same if these are equal.
+    /// Returns the scene with every `line` set to 0 and without warnings: two files say the same if these are equal.
     #[must_use]
     pub fn without_lines(mut self) -> Self {
         self.cylinders.iter_mut().for_each(|cylinder| cylinder.line = 0);
@@ -261,6 +265,7 @@ impl Description {
         self.cones.iter_mut().for_each(|cone| cone.line = 0);
         self.triangles.iter_mut().for_each(|triangle| triangle.line = 0);
         self.lamps.iter_mut().for_each(|lamp| lamp.line = 0);
+        self.warnings.clear();
         self
     }
 }

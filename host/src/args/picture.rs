@@ -11,7 +11,7 @@ use crate::picture::file::FileType;
 /// `rta show`.
 #[derive(Args, Debug)]
 pub struct ShowArgs {
-    /// Scene file (.dat or .nff), or - for standard input; without one, the Juggler
+    /// Scene file (.dat, .nff or .p3f), or - for standard input; without one, the Juggler
     pub scene: Option<PathBuf>,
     /// The display to emulate
     #[arg(long, value_enum, default_value_t = Device::Vga)]
@@ -30,7 +30,7 @@ impl Default for ShowArgs {
 /// `rta render`.
 #[derive(Args, Debug)]
 pub struct RenderArgs {
-    /// Scene file (.dat or .nff), or - for standard input
+    /// Scene file (.dat, .nff or .p3f), or - for standard input
     pub scene: PathBuf,
     /// Picture file: .png, .ppm or .pfm; - is standard output
     ///
@@ -52,7 +52,7 @@ pub struct RenderArgs {
 /// `rta hash`.
 #[derive(Args, Debug)]
 pub struct HashArgs {
-    /// Scene file (.dat or .nff), or - for standard input
+    /// Scene file (.dat, .nff or .p3f), or - for standard input
     pub scene: PathBuf,
     /// The display
     #[arg(long, value_enum, default_value_t = Device::Vga)]

@@ -38,7 +38,7 @@ pub fn run(args: &RenderArgs) -> Result<(), Error> {
     if let (FileType::Pfm, Target::On(device)) = (file_type, args.device) {
         return Err(PictureError::LinearFromDevice(device).into());
     }
-    let scene = SceneFile::open(&args.scene)?;
+    let scene = SceneFile::open_as(&args.scene, args.tracing.reading.into())?;
     let request = args.tracing.request_for(args.device, &scene)?;
     let work = Work::new(&request, &scene, args.tracing.threads, interrupt::watch())?;
     let caption = request.caption(&scene);

@@ -3,7 +3,7 @@
 use core::fmt;
 use std::io;
 
-use rta_scenes::error::SceneError;
+use rta_scenes::error::{Found, SceneError};
 use rta_scenes::fit::FloorError;
 
 use crate::engine::admission::Refusal;
@@ -24,7 +24,7 @@ pub enum RequestError {
         source: io::Error,
     },
     /// The scene file is not a scene.
-    #[error(transparent)]
+    #[error("{_0}{}", lenient_helps(_0))]
     Scene(#[from] SceneError),
     /// The scene cannot be traced as asked.
     #[error("{name}: {source}{fit}")]
@@ -97,6 +97,14 @@ impl fmt::Display for Hint {
             Self::Floor => write!(f, "; --fit: {FloorError}"),
             Self::NoScale => f.write_str("; --fit finds no scale at which it fits"),
         }
+    }
+}
+
+/// Names the option that reads past an unknown line, as part of an error message.
+const fn lenient_helps(error: &SceneError) -> &'static str {
+    match error.found {
+        Found::Unknown(_) => "; --lenient reads past such lines",
+        _ => "",
     }
 }
 

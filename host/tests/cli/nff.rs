@@ -93,10 +93,13 @@ fn errors_are_about_the_format_of_the_file() {
     folder.refuses(&["bake", "BAD.NFF", "-o", "bad.rs"], &words);
     folder.scene("bad.nff", SMALL.replace("angle", "angel"));
     folder.refuses(&["check", "bad.nff"], &["bad.nff:1:33: expected the word \"angle\"", "found \"angel\""]);
-    folder.scene("bad.nff", SMALL.replace("b .2", "q .2"));
+    folder.scene("bad.nff", SMALL.replace("b .2", "qq .2"));
     folder.refuses(
         &["hash", "bad.nff"],
-        &["bad.nff:2:1: expected an entity (one of v, b, l, f, s, c, p and pp)"],
+        &[
+            "bad.nff:2:1: expected an entity (one of v, b, l, f, s, c, p and pp)",
+            "found \"qq\"; --lenient reads",
+        ],
     );
     folder.scene("bad.nff", SCENE);
     folder.refuses(&["hash", "bad.nff"], &["bad.nff:1:1: expected an entity"]);

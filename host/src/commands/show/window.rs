@@ -48,7 +48,7 @@ pub fn run(args: &ShowArgs) -> Result<(), Error> {
     let target = Target::On(args.device);
     args.tracing.request(target).raster()?;
     let scene = match &args.scene {
-        Some(path) => SceneFile::open(path)?,
+        Some(path) => SceneFile::open_as(path, args.tracing.reading.into())?,
         None => SceneFile::juggler()?,
     };
     let request = args.tracing.request_for(target, &scene)?;
