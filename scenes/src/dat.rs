@@ -39,6 +39,9 @@ pub const MOST_OBJECTS: u16 = u16::MAX;
 /// How far ks + kt may be from 1.
 pub const SHARES_TOLERANCE: f64 = 1e-6;
 
+/// The floor's colours may be a little above 1 on purpose, as in the Juggler, whose lamps are far away.
+const BRIGHT_FLOOR: f64 = 2.0;
+
 /// Reads a scene. `name` is the file's, for the errors.
 ///
 /// Memory grows with what the file holds, never with what its counts promise.
@@ -88,7 +91,7 @@ impl Reader<'_> {
             let (line, position, color) = reader.place_and_color(which)?;
             let radii = reader.tokens.vector(["x radius", "y radius", "z radius"], which, Range::Positive)?;
             let surface = reader.surface(which)?;
-            Ok(Ellipsoid { position, color, radii, surface, line })
+            Ok(Ellipsoid { position, color, radii, inside_only: false, surface, line })
         })?;
         let spheres = self.list("sphere", 8, |reader, which| {
             let (line, position, color) = reader.place_and_color(which)?;
@@ -104,8 +107,8 @@ impl Reader<'_> {
         })?;
         let floor = Some(Floor {
             colors: [
-                self.reflectance("the first floor colour")?,
-                self.reflectance("the second floor colour")?,
+                self.reflectance("the first floor colour", BRIGHT_FLOOR)?,
+                self.reflectance("the second floor colour", BRIGHT_FLOOR)?,
             ],
         });
         let ambient = self.tokens.color("the ambient light")?;
@@ -209,11 +212,11 @@ impl Reader<'_> {
         error.with_note(|| note)
     }
 
-    /// A colour that says what part of the light comes back, so more than 1 is seldom meant.
-    fn reflectance(&mut self, what: impl Display) -> Result<[f64; 3], SceneError> {
+    /// A colour that says what part of the light comes back, so that more than 1 is seldom meant: above `most` there is a warning.
+    fn reflectance(&mut self, what: impl Display, most: f64) -> Result<[f64; 3], SceneError> {
         let (line, _) = self.tokens.place();
         let color = self.tokens.color(&what)?;
-        if let Some(above) = color.into_iter().find(|register| *register > 1.0) {
+        if let Some(above) = color.into_iter().find(|register| *register > most) {
             let above = Numbers(&[above]).to_string();
             let text = || format!("{what} has a register of {above}: colours go from 0 to 1");
             self.bright.count(line, text);
@@ -227,7 +230,7 @@ impl Reader<'_> {
         which: impl Display + Copy,
     ) -> Result<(u32, [f64; 3], [f64; 3]), SceneError> {
         let (line, position) = self.place_of(which)?;
-        Ok((line, position, self.reflectance(format_args!("the colour of {which}"))?))
+        Ok((line, position, self.reflectance(format_args!("the colour of {which}"), 1.0)?))
     }
 
     /// The line where an object begins, and its position.

@@ -21,7 +21,10 @@ impl Description {
         };
         let spheres = self.spheres.iter().filter(|sphere| !is_clear(&sphere.surface));
         let spheres = spheres.map(|s| ("sphere", s.position, [s.radius; 3], s.line));
-        let ellipsoids = self.ellipsoids.iter().filter(|ellipsoid| !is_clear(&ellipsoid.surface));
+        let ellipsoids = self
+            .ellipsoids
+            .iter()
+            .filter(|ellipsoid| !ellipsoid.inside_only && !is_clear(&ellipsoid.surface));
         let ellipsoids = ellipsoids.map(|e| ("ellipsoid", e.position, e.radii, e.line));
         let cylinders = self.cylinders.iter().filter(|cylinder| !is_clear(&cylinder.surface));
         let endless = |radius| [radius, radius, f64::INFINITY];

@@ -20,16 +20,18 @@
 //! - Lights are points, are not attenuated, and may be brighter than 1. There is no ambient light.
 //! - With T = 0 an index of refraction that makes no sense is 1, as 0 is with any T.
 //! - Objects before the first fill are white and diffuse, with a warning.
-//! - A sphere's negative radius is taken by its size. A cone is seen from the inside only if its radii are negative;
-//!   one of them may be 0.
-//! - Polygons are seen from both sides. They may be concave, or not quite flat; those without area are left out, as
-//!   the triangles without area of others are. A normal of length 0 is the polygon's own.
+//! - A sphere or cone is seen from the inside only if its radius is negative; one of a cone's may be 0.
+//! - Polygons are seen from both sides, unless the reader is told otherwise ([`Reading::one_sided`]): many files do not care
+//!   for the order of corners, and what is closed looks the same. They may be concave, or not quite flat, and cross
+//!   themselves: what the outline winds around is shown. Those without area are left out, with a warning. A normal of
+//!   length 0 is the polygon's own.
 //!
 //! What is read besides, as it stands in files that people have:
 //!
 //! ```text
 //! fp r g b  Kd Ks Shine T ior                     f, for smooth shading
 //! f  r g b  hr hg hb  Kd Ks Shine T ior           the fill of P3F; the highlight's colour hr hg hb is not used
+//! pl x y z  x y z  x y z                          infinite plane through three points (P3F)
 //! box x y z  x y z                                box between two corners
 //! k  r g b                                        ambient light (BART)
 //! L  r g b power [atten a b c]                    area light: the polygons up to L 0 0 0 0 shine
@@ -172,6 +174,7 @@ impl Reader<'_> {
             "c" => self.cone(line),
             "p" => self.polygon(line, false),
             "pp" => self.polygon(line, true),
+            "pl" => self.plane(line),
             "box" => self.cuboid(line),
             _ => self.foreign(entity, &lower),
         }
@@ -232,6 +235,7 @@ impl Reader<'_> {
         scene.lamps = lights.into_iter().map(lamp).collect();
         // Lists of unknown length have grown to up to twice of it.
         scene.spheres.shrink_to_fit();
+        scene.ellipsoids.shrink_to_fit();
         scene.cones.shrink_to_fit();
         scene.triangles.shrink_to_fit();
         let Tallies { highlights, flat, tangled, crossed } = tallies;

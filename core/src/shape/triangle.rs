@@ -11,7 +11,7 @@ use crate::ray::Ray;
 use crate::scalar::vector::{LengthVector, UnitVec3, UnitVector, Vec3};
 use crate::scalar::{Scalar, Unit};
 
-/// A triangle, visible from both sides.
+/// A triangle.
 #[derive(Clone, Copy, Debug)]
 pub struct Triangle<S: Scalar> {
     /// The first vertex.
@@ -26,6 +26,9 @@ pub struct Triangle<S: Scalar> {
     pub heights: [S; 3],
     /// Unit normals at the vertices, interpolated for a surface that is shaded as if it were curved (Phong 1975).
     pub normals: Option<[UnitVec3<S>; 3]>,
+    /// Whether it is visible only from where the vertices run counterclockwise. A ray that meets it from behind passes, a
+    /// shadow ray too.
+    pub one_sided: bool,
     /// Reflectance of the surface.
     pub color: Rgb<S::Unit>,
     /// What the surface does with light.
@@ -39,7 +42,8 @@ impl<S: Scalar> Triangle<S> {
         let displacement = self.corner - ray.origin;
         // A ray that leads away from the plane, as most do that begin on it.
         let (height, cosine) = (displacement.dot(self.normal), self.normal.dot(ray.direction));
-        let is_ahead = if cosine > S::Unit::ZERO { height > S::ZERO } else { height < S::ZERO };
+        let is_ahead =
+            if cosine > S::Unit::ZERO { height > S::ZERO && !self.one_sided } else { height < S::ZERO };
         if !is_ahead {
             return None;
         }

@@ -94,6 +94,15 @@ impl<S: ToF32> Accelerator<S> for &Packets {
                 }
             }
         }
+        if N::PLANES {
+            for (i, plane) in (0..).zip(world.scene.planes) {
+                let found = plane.intersect(ray, best.limit);
+                let hit = found.map(|distance| Hit { distance, object: Object::Plane(i) });
+                if let Some(distance) = hit.and_then(|hit| best.offer(hit)) {
+                    query.shorten(distance);
+                }
+            }
+        }
         if self.nodes.is_empty() {
             closest_of::<S, N>(world, &self.leaves, ray, &mut query, &mut best);
         } else if !closest_seen::<S, N>(self, world, ray, &mut query, &mut best) {

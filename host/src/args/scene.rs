@@ -16,11 +16,14 @@ pub struct ReadingArgs {
     /// Pass over lines of a .nff that begin with an unknown word, each with a warning
     #[arg(long)]
     pub lenient: bool,
+    /// See polygons of a .nff only from where their corners run counterclockwise, not from both sides
+    #[arg(long)]
+    pub one_sided: bool,
 }
 
 impl From<ReadingArgs> for Reading {
-    fn from(ReadingArgs { lenient }: ReadingArgs) -> Self {
-        Self { lenient }
+    fn from(ReadingArgs { lenient, one_sided }: ReadingArgs) -> Self {
+        Self { lenient, one_sided }
     }
 }
 

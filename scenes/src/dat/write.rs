@@ -7,17 +7,22 @@ use crate::numbers::Numbers;
 
 impl Description {
     /// The scene as the thesis's scene file, or `None` if that format cannot say what is in it: without a floor, with
-    /// cones, triangles or coefficients, or seen by a camera that is not held upright.
+    /// cones, triangles, planes, coefficients or ellipsoids seen from the inside, or seen by a camera that is not held upright.
     ///
     /// [`read`](super::read) gives the same scene back, digit for digit, with the lines of the new file.
     #[must_use]
     pub fn to_dat(&self) -> Option<String> {
         let floor = self.floor.as_ref()?;
+        let has_insides = self.ellipsoids.iter().any(|ellipsoid| ellipsoid.inside_only);
         let cylinders = self.cylinders.iter().map(|c| &c.surface);
         let ellipsoids = self.ellipsoids.iter().map(|e| &e.surface);
         let mut surfaces = cylinders.chain(ellipsoids).chain(self.spheres.iter().map(|s| &s.surface));
         let camera = Camera::upright(self.camera.eye, self.camera.view, self.camera.focal);
-        if !(self.cones.is_empty() && self.triangles.is_empty() && self.camera == camera)
+        if has_insides
+            || !(self.cones.is_empty()
+                && self.triangles.is_empty()
+                && self.planes.is_empty()
+                && self.camera == camera)
             || surfaces.any(|surface| matches!(surface, Surface::Finish { .. }))
         {
             return None;

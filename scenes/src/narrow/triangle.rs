@@ -49,6 +49,7 @@ pub fn narrow<S: Narrow>(index: usize, of: &description::Triangle) -> Result<Tri
         inward: inward.map(direction::<S>),
         heights: heights.map(S::length),
         normals,
+        one_sided: of.one_sided,
         color: check.color("a colour's register", of.color)?,
         material: check.material(&of.surface)?,
     })

@@ -2,10 +2,10 @@
 
 use super::polygon::{self, Cut, MOST_CROSSINGS, NotCut};
 use super::{ENTITIES, Fill, Reader};
-use crate::description::{Cone, Sphere, Surface, Triangle};
+use crate::description::{Cone, Ellipsoid, Plane, Sphere, Surface, Triangle};
 use crate::error::{Found, SceneError};
 use crate::numbers::{AXES, Range};
-use crate::space::Triple;
+use crate::space::{Triple, cross, difference, length, unit};
 
 /// Most corners that a polygon may have: the time to look at a concave one grows with their square.
 pub const MOST_CORNERS: u32 = 10_000;
@@ -59,10 +59,23 @@ impl Reader<'_> {
     pub(super) fn sphere(&mut self, line: u32) -> Result<(), SceneError> {
         let Fill { color, surface } = self.filled(line);
         self.begin("sphere", line, 4);
-        let which = self.scene.spheres.len() + 1;
+        let which = self.scene.spheres.len() + self.scene.ellipsoids.len() + 1;
         let position = self.tokens.vector(AXES, format_args!("the centre of sphere {which}"), Range::Any)?;
-        let radius = self.tokens.number(format_args!("the radius of sphere {which}"), Range::NotZero)?.abs();
-        self.scene.spheres.push(Sphere { position, color, radius, surface, line });
+        let radius = self.tokens.number(format_args!("the radius of sphere {which}"), Range::NotZero)?;
+        if radius > 0.0 {
+            self.scene.spheres.push(Sphere { position, color, radius, surface, line });
+        } else {
+            // As an ellipsoid, so that the search for spheres, which every ray waits for, need not ask for their side.
+            let radii = [-radius; 3];
+            self.scene.ellipsoids.push(Ellipsoid {
+                position,
+                color,
+                radii,
+                inside_only: true,
+                surface,
+                line,
+            });
+        }
         Ok(())
     }
 
@@ -129,6 +142,26 @@ impl Reader<'_> {
         Ok(())
     }
 
+    /// An infinite plane through three points.
+    pub(super) fn plane(&mut self, line: u32) -> Result<(), SceneError> {
+        let Fill { color, surface } = self.filled(line);
+        self.begin("plane", line, 9);
+        let which = self.scene.planes.len() + 1;
+        let point = self.tokens.vector(AXES, format_args!("the first point of plane {which}"), Range::Any)?;
+        let second =
+            self.tokens.vector(AXES, format_args!("the second point of plane {which}"), Range::Any)?;
+        let place = self.tokens.place();
+        let third = self.tokens.vector(AXES, format_args!("the third point of plane {which}"), Range::Any)?;
+        let sides = [second, third].map(|other| unit(difference(other, point)));
+        let normal = sides[0].zip(sides[1]).map(|(a, b)| cross(a, b));
+        let Some(normal) = normal.filter(|normal| length(*normal) > 1e-9) else {
+            let expected = format_args!("the third point of plane {which} (not on one line with the others)");
+            return Err(self.vector_error(place, expected, third));
+        };
+        self.scene.planes.push(Plane { point, normal, color, surface, line });
+        Ok(())
+    }
+
     /// A box between two corners, seen from all sides: six polygons that run counterclockwise seen from outside.
     pub(super) fn cuboid(&mut self, line: u32) -> Result<(), SceneError> {
         let fill = self.filled(line);
@@ -186,7 +219,8 @@ impl Reader<'_> {
         for triangle in triangles {
             let vertices = triangle.map(|vertex| of(&corners, vertex));
             let normals = (!normals.is_empty()).then(|| triangle.map(|vertex| of(&normals, vertex)));
-            self.scene.triangles.push(Triangle { vertices, normals, color, surface, line });
+            let one_sided = self.reading.one_sided;
+            self.scene.triangles.push(Triangle { vertices, normals, one_sided, color, surface, line });
         }
     }
 }

@@ -11,6 +11,7 @@ mod baked;
 mod bounds;
 mod branches;
 mod bvh;
+mod cases;
 mod circles;
 mod devices;
 mod examples;

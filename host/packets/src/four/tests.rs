@@ -150,6 +150,7 @@ fn triangles() {
             inward,
             heights,
             normals: None,
+            one_sided: false,
             color: GREY,
             material: Material::Opaque,
         };

@@ -1,6 +1,6 @@
 //! Entries that are too short or too long: the error is found later, and tells where they begin.
 
-use super::{SCENE, accepted, error_of, with_line};
+use super::{SCENE, accepted, error_of, shipped, with_line};
 
 #[test]
 fn an_entry_that_is_too_short_is_told_where_it_begins() {
@@ -34,11 +34,9 @@ fn what_is_no_cause_is_not_told() {
     ] {
         assert!(!error_of(&text).contains("; "), "{}", error_of(&text));
     }
-    assert!(accepted(shipped()).warnings.is_empty());
-}
-
-fn shipped() -> &'static str {
-    crate::shipped::HALL_22
+    for (_, text) in shipped::ALL {
+        assert!(accepted(text).warnings.is_empty());
+    }
 }
 
 #[test]
