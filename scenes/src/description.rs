@@ -277,20 +277,6 @@ impl Description {
             warnings: Vec::new(),
         }
     }
-
-    /// Returns the scene with every `line` set to 0 and without warnings: two files say the same if these are equal.
-    #[must_use]
-    pub fn without_lines(mut self) -> Self {
-        self.cylinders.iter_mut().for_each(|cylinder| cylinder.line = 0);
-        self.ellipsoids.iter_mut().for_each(|ellipsoid| ellipsoid.line = 0);
-        self.spheres.iter_mut().for_each(|sphere| sphere.line = 0);
-        self.cones.iter_mut().for_each(|cone| cone.line = 0);
-        self.triangles.iter_mut().for_each(|triangle| triangle.line = 0);
-        self.planes.iter_mut().for_each(|plane| plane.line = 0);
-        self.lamps.iter_mut().for_each(|lamp| lamp.line = 0);
-        self.warnings.clear();
-        self
-    }
 }
 
 #[cfg(test)]

@@ -1,7 +1,7 @@
 //! What makes the picture of a sound scene black.
 
-use crate::description::{Description, Surface};
-use crate::space::{Triple, difference, length};
+use crate::description::{Description, Surface, Triangle};
+use crate::space::{Triple, cross, difference, dot, length};
 use crate::warning::Warning;
 
 impl Description {
@@ -15,6 +15,14 @@ impl Description {
             return;
         }
         let eye = self.camera.eye;
+        let is_turned_away = |triangle: &Triangle| {
+            let [a, b, c] = triangle.vertices;
+            triangle.one_sided && dot(cross(difference(b, a), difference(c, a)), difference(eye, a)) <= 0.0
+        };
+        if !self.triangles.is_empty() && self.triangles.iter().all(is_turned_away) {
+            let text = "all polygons turn their invisible side to the observer".into();
+            self.warnings.push(Warning { line: 0, text });
+        }
         let is_clear = |surface: &Surface| match *surface {
             Surface::Transparent { kt, .. } | Surface::Finish { kt, .. } => kt > 0.0,
             Surface::Opaque | Surface::Shiny | Surface::Mirror => false,

@@ -18,7 +18,7 @@ pub struct SceneError {
     /// What stands there.
     pub found: Found,
     /// What helps to find the cause, which may stand earlier: `the sphere that begins in line 12 has 6 of 8 numbers`.
-    pub note: Option<String>,
+    pub note: Option<Box<str>>,
 }
 
 /// What stands in a scene file where something else should. The texts are ready to print: of long ones only the
@@ -123,7 +123,7 @@ impl Entry {
 impl SceneError {
     /// Returns the error with a note, if it has none yet.
     pub(crate) fn with_note(mut self, note: impl FnOnce() -> Option<String>) -> Self {
-        self.note = self.note.or_else(note);
+        self.note = self.note.or_else(|| note().map(String::into_boxed_str));
         self
     }
 }

@@ -29,6 +29,7 @@ mod doubts;
 pub mod error;
 pub mod fit;
 pub mod format;
+mod lines;
 pub mod model;
 pub mod narrow;
 pub mod nff;

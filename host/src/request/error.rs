@@ -37,7 +37,7 @@ pub enum RequestError {
         fit: Hint,
     },
     /// The number format does not admit the scene.
-    #[error("{name} does not fit {format}: {reason}{}{fit}", fitting(others))]
+    #[error("{name} does not fit {format}: {reason}{}{}{fit}", beginning(*line), fitting(others))]
     Refused {
         /// Name of the scene.
         name: String,
@@ -45,6 +45,8 @@ pub enum RequestError {
         format: Format,
         /// Why not.
         reason: Box<Refusal>,
+        /// The line where the object begins that causes it, if its reason does not say it.
+        line: Option<u32>,
         /// The formats that do admit it.
         others: Vec<Format>,
         /// What scaling it could do.
@@ -98,6 +100,11 @@ impl fmt::Display for Hint {
             Self::NoScale => f.write_str("; --fit finds no scale at which it fits"),
         }
     }
+}
+
+/// Names the line where an object begins, as part of an error message.
+fn beginning(line: Option<u32>) -> String {
+    line.map_or_else(String::new, |line| format!(" (it begins in line {line})"))
 }
 
 /// Names the option that reads past an unknown line, as part of an error message.

@@ -1,5 +1,6 @@
 //! Scene files of the kinds that people have and that were once drawn wrong, or not at all: each says in its comments what is
 //! right. They are drawn in every number format.
+#![allow(clippy::indexing_slicing, reason = "a test may panic")]
 
 use rta::engine::{Format, Model, Settings};
 use rta_scenes::Reading;
@@ -114,7 +115,7 @@ fn a_scene_without_light_is_black_and_says_why() {
 #[test]
 fn old_texts_are_read() {
     let text = read("old-text.nff");
-    assert!(text.ends_with(b"\x1a") && std::str::from_utf8(&text).is_err());
+    assert!(text.ends_with(b"\x1a") && core::str::from_utf8(&text).is_err());
     let scene = scene(text);
     assert!(scene.warnings.is_empty());
     drawn(&scene, |format, picture| assert_eq!(picture.red(), 1549, "{format}"));

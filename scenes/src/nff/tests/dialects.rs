@@ -192,6 +192,11 @@ fn a_picture_that_would_be_black_is_told_why() {
     let text = HEAD.replace("l 0 0 8\n", "l 0 0 20\n") + "s 0 0 7 2";
     let inside = read(text.as_bytes(), "s.nff").expect("it is sound");
     assert_eq!(warnings(&inside), ["s.nff:11: the observer is inside of this sphere, and no light is there"]);
+    let away = HEAD.to_owned() + "p 3 0 0 0  0 1 0  1 0 0";
+    let one_sided = Reading { one_sided: true, ..Reading::default() };
+    let turned = read_with(away.as_bytes(), "s.nff", one_sided).expect("it is sound");
+    assert_eq!(warnings(&turned), ["s.nff: all polygons turn their invisible side to the observer"]);
+    assert!(read(away.as_bytes(), "s.nff").expect("it is sound").warnings.is_empty());
     let glass = read(text.replace("1 0 1 0 1\n", "1 0 1 .5 1\n").as_bytes(), "s.nff").expect("it is sound");
     assert!(glass.warnings.is_empty());
 }
