@@ -17,12 +17,15 @@ pub struct Lamp<S: Scalar> {
     pub power: S::Power,
     /// Each register as a part of the strongest one, 0 to 1.
     pub tint: Rgb<S::Unit>,
+    /// Whether the intensity is made for light that is attenuated with the square of the distance. Where it is not, an
+    /// intensity above 1, such as the 40000 of the thesis's files, counts as 1.
+    pub square_law: bool,
 }
 
 impl<S: Scalar> Lamp<S> {
-    /// Returns a lamp of the intensity `power` times `tint`, whose strongest register is 1.
+    /// Returns a lamp of the intensity `power` times `tint`, whose strongest register is 1, made for the square law.
     pub fn new(position: Vec3<S>, radius: S, power: S::Power, tint: Rgb<S::Unit>) -> Self {
-        Self { position, radius, inverse_radius: radius.inverse(), power, tint }
+        Self { position, radius, inverse_radius: radius.inverse(), power, tint, square_law: true }
     }
 
     /// Returns a white lamp of a whole-numbered intensity: the irradiance at distance 1.

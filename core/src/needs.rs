@@ -55,6 +55,8 @@ needs! {
     TRIANGLES triangles,
     /// Triangles with normals at their vertices.
     NORMALS normals,
+    /// Infinite planes.
+    PLANES planes,
     /// Infinite vertical cylinders.
     CYLINDERS cylinders,
     /// The chequered floor.

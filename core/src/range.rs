@@ -10,6 +10,8 @@
 //!   format has left: the bound of [`Quantity::Reach`]. Only shadow rays start there.
 //! - Components of unit vectors are at most 1 plus some rounding; a ray's weight is a product of reflectances, one for each level
 //!   of its depth: [`Limits::depth`] is the deepest that fits.
+//! - Other planes are infinite too. Their places lie within [`Plane::reach`](crate::shape::Plane::reach) of their centres, so
+//!   that each counts as a disc of that radius.
 //! - Radiances saturate, on purpose: their row names the largest.
 //!
 //! All other intermediate results are differences, rounded products or roots of these; 64-bit sums have their own row.

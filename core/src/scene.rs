@@ -17,7 +17,7 @@ use crate::ray::Ray;
 use crate::scalar::vector::{UnitVec3, Vector};
 use crate::scalar::{Light, Scalar, Unit};
 pub use crate::shape::Floor;
-use crate::shape::{Cone, Cylinder, Ellipsoid, Look, Primitive, Sphere, SurfacePoint, Triangle};
+use crate::shape::{Cone, Cylinder, Ellipsoid, Look, Plane, Primitive, Sphere, SurfacePoint, Triangle};
 
 /// A visitor of a scene's objects. It is given a run of consecutive objects of one list at a time.
 pub trait Visit<S: Scalar> {
@@ -163,6 +163,8 @@ lists! {
     cones: Cone if CONES, "cone";
     /// Triangles.
     triangles: Triangle if TRIANGLES, "triangle";
+    /// Infinite planes.
+    planes: Plane if PLANES, "plane";
 }
 
 /// The nearest hit of a ray.

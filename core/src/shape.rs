@@ -11,6 +11,7 @@ mod cone;
 mod cylinder;
 mod ellipsoid;
 mod floor;
+mod plane;
 mod sphere;
 mod triangle;
 
@@ -18,6 +19,7 @@ pub use cone::Cone;
 pub use cylinder::Cylinder;
 pub use ellipsoid::Ellipsoid;
 pub use floor::Floor;
+pub use plane::Plane;
 pub use sphere::Sphere;
 pub use triangle::Triangle;
 

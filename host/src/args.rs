@@ -15,7 +15,7 @@ pub use advice::parse;
 pub use explain::{Choice, ExplainArgs};
 pub use pages::{CompletionsArgs, ManArgs};
 pub use picture::{HashArgs, RenderArgs, ShowArgs};
-pub use scene::{BakeArgs, CheckArgs};
+pub use scene::{BakeArgs, CheckArgs, ReadingArgs};
 pub use study::{BenchArgs, InstructionsArgs, Peer, ReportArgs, StabilityArgs, TracedArgs};
 pub use tracing::TracingArgs;
 

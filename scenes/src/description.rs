@@ -5,6 +5,7 @@
 //! later, when the description becomes a scene of that format.
 
 use crate::space::unit;
+use crate::warning::Warning;
 
 /// A whole scene.
 #[derive(Clone, Debug, PartialEq)]
@@ -21,6 +22,8 @@ pub struct Description {
     pub cones: Vec<Cone>,
     /// Triangles.
     pub triangles: Vec<Triangle>,
+    /// Infinite planes.
+    pub planes: Vec<Plane>,
     /// Lamps.
     pub lamps: Vec<Lamp>,
     /// The chequered floor z = 0; the thesis's files always have one.
@@ -33,6 +36,8 @@ pub struct Description {
     pub model: Model,
     /// Width and height in pixels that the scene was made for, if its file says so; the pixels are square.
     pub raster: Option<[u32; 2]>,
+    /// What the reader has to say about the file.
+    pub warnings: Vec<Warning>,
 }
 
 /// The illumination model that a scene was made for.
@@ -144,6 +149,8 @@ pub struct Ellipsoid {
     pub color: [f64; 3],
     /// Half axes along x, y and z, above 0.
     pub radii: [f64; 3],
+    /// Whether only its inside is seen.
+    pub inside_only: bool,
     /// Its material.
     pub surface: Surface,
     /// Line of the source where it begins, from 1; 0 if it has none.
@@ -188,13 +195,30 @@ pub struct Cone {
     pub line: u32,
 }
 
-/// A triangle, seen from both sides. Its outside is where its vertices run counterclockwise.
+/// A triangle. Its outside is where its vertices run counterclockwise.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Triangle {
     /// Vertices, not on one line.
     pub vertices: [[f64; 3]; 3],
     /// Normals at the vertices, of any length but zero: the surface is shaded as if it were curved.
     pub normals: Option<[[f64; 3]; 3]>,
+    /// Whether only its outside is seen.
+    pub one_sided: bool,
+    /// Linear RGB, each at least 0.
+    pub color: [f64; 3],
+    /// Its material.
+    pub surface: Surface,
+    /// Line of the source where it begins, from 1; 0 if it has none.
+    pub line: u32,
+}
+
+/// An infinite plane, seen from both sides.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Plane {
+    /// A point of it.
+    pub point: [f64; 3],
+    /// Its normal, of any length but zero.
+    pub normal: [f64; 3],
     /// Linear RGB, each at least 0.
     pub color: [f64; 3],
     /// Its material.
@@ -243,25 +267,15 @@ impl Description {
             spheres: Vec::new(),
             cones: Vec::new(),
             triangles: Vec::new(),
+            planes: Vec::new(),
             lamps: Vec::new(),
             floor: None,
             ambient: [0.0; 3],
             sky: Sky { horizon: [0.0; 3], zenith: [0.0; 3] },
             model: Model::Rta,
             raster: None,
+            warnings: Vec::new(),
         }
-    }
-
-    /// The same scene with every `line` set to 0: two files say the same if these are equal.
-    #[must_use]
-    pub fn without_lines(mut self) -> Self {
-        self.cylinders.iter_mut().for_each(|cylinder| cylinder.line = 0);
-        self.ellipsoids.iter_mut().for_each(|ellipsoid| ellipsoid.line = 0);
-        self.spheres.iter_mut().for_each(|sphere| sphere.line = 0);
-        self.cones.iter_mut().for_each(|cone| cone.line = 0);
-        self.triangles.iter_mut().for_each(|triangle| triangle.line = 0);
-        self.lamps.iter_mut().for_each(|lamp| lamp.line = 0);
-        self
     }
 }
 

@@ -17,6 +17,8 @@ pub struct SceneError {
     pub expected: String,
     /// What stands there.
     pub found: Found,
+    /// What helps to find the cause, which may stand earlier: `the sphere that begins in line 12 has 6 of 8 numbers`.
+    pub note: Option<Box<str>>,
 }
 
 /// What stands in a scene file where something else should. The texts are ready to print: of long ones only the
@@ -30,13 +32,15 @@ pub enum Found {
     NotANumber(String),
     /// Something other than the word that should stand there.
     Word(String),
+    /// A word where an entity of NFF should stand, and is none; a lenient reader passes over it.
+    Unknown(String),
     /// A number that is infinite, undefined, or too large for `f64`.
     NotFinite(String),
     /// The file ends here.
     EndOfFile,
     /// The file has nothing in it but white space and comments.
     EmptyFile,
-    /// A byte that is not text: a NUL, or one that is not UTF-8.
+    /// A byte outside of comments that is not text: a NUL, or one that is not UTF-8.
     Binary(u8),
 }
 
@@ -54,7 +58,7 @@ impl Found {
         }
     }
 
-    /// The same where a word is expected, not a number.
+    /// Tells what `token` is where a word is expected, not a number.
     pub(crate) fn word(token: &str) -> Self {
         match Self::token(token) {
             Self::NotANumber(shown) => Self::Word(shown),
@@ -62,7 +66,8 @@ impl Found {
         }
     }
 
-    fn show(token: &str) -> String {
+    /// Returns a piece of a file ready to be printed.
+    pub(crate) fn show(token: &str) -> String {
         let mut shown: String = token.chars().take(Self::LONGEST).flat_map(char::escape_debug).collect();
         if token.chars().nth(Self::LONGEST).is_some() {
             shown.push_str("...");
@@ -76,7 +81,7 @@ impl fmt::Display for Found {
         match self {
             Self::Number(text) => write!(f, "{text}"),
             Self::NotANumber(text) => write!(f, "\"{text}\", not a number"),
-            Self::Word(text) => write!(f, "\"{text}\""),
+            Self::Word(text) | Self::Unknown(text) => write!(f, "\"{text}\""),
             Self::NotFinite(text) => write!(f, "{text}, not a finite number"),
             Self::EndOfFile => write!(f, "end of file"),
             Self::EmptyFile => write!(f, "an empty file"),
@@ -87,12 +92,41 @@ impl fmt::Display for Found {
 
 impl fmt::Display for SceneError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { file, line, column, expected, found } = self;
-        write!(f, "{file}:{line}:{column}: expected {expected}, found {found}")
+        let Self { file, line, column, expected, found, note } = self;
+        write!(f, "{file}:{line}:{column}: expected {expected}, found {found}")?;
+        note.as_ref().map_or(Ok(()), |note| write!(f, "; {note}"))
     }
 }
 
 impl Error for SceneError {}
+
+/// An entry of a scene file that is being read: what an error says of it where it is too short.
+#[derive(Clone, Debug)]
+pub(crate) struct Entry {
+    /// What it is: `sphere`.
+    pub(crate) kind: &'static str,
+    /// The line where it begins.
+    pub(crate) line: u32,
+    /// How many pieces of the file come before its numbers.
+    pub(crate) begin: usize,
+    /// How many numbers it has.
+    pub(crate) numbers: usize,
+}
+
+impl Entry {
+    /// Returns the note that the entry has only `had` of its numbers.
+    pub(crate) fn is_short(&self, had: usize) -> String {
+        format!("the {} that begins in line {} has {had} of {} numbers", self.kind, self.line, self.numbers)
+    }
+}
+
+impl SceneError {
+    /// Returns the error with a note, if it has none yet.
+    pub(crate) fn with_note(mut self, note: impl FnOnce() -> Option<String>) -> Self {
+        self.note = self.note.or_else(|| note().map(String::into_boxed_str));
+        self
+    }
+}
 
 #[cfg(test)]
 mod tests {

@@ -70,6 +70,9 @@ impl Description {
         for Triangle { vertices, .. } in &mut self.triangles {
             vertices.iter_mut().for_each(scale);
         }
+        for plane in &mut self.planes {
+            scale(&mut plane.point);
+        }
         for Lamp { position, color, radius, .. } in &mut self.lamps {
             scale(position);
             *radius *= factor;

@@ -25,33 +25,46 @@ pub mod accelerator;
 pub mod bake;
 pub mod dat;
 pub mod description;
+mod doubts;
 pub mod error;
 pub mod fit;
 pub mod format;
+mod lines;
 pub mod model;
 pub mod narrow;
 pub mod nff;
 mod numbers;
+mod reading;
 pub mod shipped;
 pub mod space;
 mod tokens;
+pub mod warning;
 
 pub use bake::bake;
 pub use format::Format;
 pub use model::Model;
 pub use numbers::Short;
+pub use reading::Reading;
 
 use std::path::Path;
 
 use description::Description;
 use error::SceneError;
 
-/// Reads a scene in the format that the name of its file says: `.nff` or `.dat`, in letters of any size. What is called
-/// otherwise, such as standard input, is NFF if it begins with a word, for the other format begins with a number.
+/// Reads a scene in the format that the name of its file says: `.nff`, `.p3f` or `.dat`, in letters of any size. What is
+/// called otherwise, such as standard input, is NFF if it begins with a word, for the other format begins with a number.
 ///
 /// # Errors
 /// Those of [`nff::read`] and [`dat::read`].
 pub fn read(text: &[u8], file: &str) -> Result<Description, SceneError> {
+    read_with(text, file, Reading::default())
+}
+
+/// Reads a scene as [`read`] does, and as `reading` says where the format leaves something open.
+///
+/// # Errors
+/// Those of [`nff::read_with`] and [`dat::read`].
+pub fn read_with(text: &[u8], file: &str, reading: Reading) -> Result<Description, SceneError> {
     let extension = Path::new(file).extension();
     let is = |other: &str| extension.is_some_and(|extension| extension.eq_ignore_ascii_case(other));
     // What is not text or has nothing in it is the same error in both formats.
@@ -59,8 +72,8 @@ pub fn read(text: &[u8], file: &str) -> Result<Description, SceneError> {
         let first = tokens::Tokens::new(text, file).ok().and_then(|mut tokens| tokens.next());
         first.is_some_and(|token| !token.is_like_a_number())
     };
-    if is("nff") || (!is("dat") && begins_with_word()) {
-        nff::read(text, file)
+    if is("nff") || is("p3f") || (!is("dat") && begins_with_word()) {
+        nff::read_with(text, file, reading)
     } else {
         dat::read(text, file)
     }

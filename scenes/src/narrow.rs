@@ -5,16 +5,17 @@ use rta_core::camera::{Camera, Lens};
 use rta_core::color::Rgb;
 use rta_core::light::Lamp;
 use rta_core::scene::{Scene, Sky};
-use rta_core::shape::{Cone, Cylinder, Ellipsoid, Floor, Sphere, Triangle};
+use rta_core::shape::{Cone, Cylinder, Ellipsoid, Floor, Plane, Sphere, Triangle};
 use rta_core::vector::Vector;
 
-use crate::description::{self, Description, Side};
+use crate::description::{self, Description, Model, Side};
 use crate::space::{cross, unit};
 
 mod check;
 mod cone;
 mod error;
 mod formats;
+mod plane;
 pub mod triangle;
 
 use check::Checker;
@@ -65,6 +66,8 @@ pub struct Narrowed<S: Scalar> {
     pub cones: Vec<Cone<S>>,
     /// Triangles.
     pub triangles: Vec<Triangle<S>>,
+    /// Infinite planes.
+    pub planes: Vec<Plane<S>>,
     /// Lamps.
     pub lamps: Vec<Lamp<S>>,
     /// The floor.
@@ -84,6 +87,7 @@ impl<S: Scalar> Narrowed<S> {
             spheres: &self.spheres,
             cones: &self.cones,
             triangles: &self.triangles,
+            planes: &self.planes,
             lamps: &self.lamps,
             floor: self.floor,
             sky: self.sky,
@@ -115,7 +119,7 @@ fn camera<S: Narrow>(camera: &description::Camera, aspect: f64) -> Result<Camera
     Ok(Camera::new(eye, vector(forward, 1.0), Lens { focal, width, height }))
 }
 
-fn lamp<S: Narrow>(index: usize, lamp: &description::Lamp) -> Result<Lamp<S>, NarrowError> {
+fn lamp<S: Narrow>(index: usize, lamp: &description::Lamp, square_law: bool) -> Result<Lamp<S>, NarrowError> {
     let check = Checker::<S>::new("lamp", index, lamp.line);
     let position = check.place(lamp.position, lamp.radius)?;
     let radius = if lamp.radius == 0.0 { S::ZERO } else { check.radius(lamp.radius)? };
@@ -123,7 +127,8 @@ fn lamp<S: Narrow>(index: usize, lamp: &description::Lamp) -> Result<Lamp<S>, Na
     check.at_most("the intensity", strongest, S::LARGEST_POWER)?;
     let [r, g, b] =
         lamp.color.map(|register| S::unit(if strongest > 0.0 { register / strongest } else { 0.0 }));
-    Ok(Lamp::new(position, radius, <S as Narrow>::power(strongest), Rgb::new(r, g, b)))
+    let lamp = Lamp::new(position, radius, <S as Narrow>::power(strongest), Rgb::new(r, g, b));
+    Ok(Lamp { square_law, ..lamp })
 }
 
 /// Brings a description into the number format `S`, for a screen of the shape `aspect : 1`.
@@ -157,6 +162,7 @@ pub fn narrow<S: Narrow>(description: &Description, aspect: f64) -> Result<Narro
         let [a, b, c] = e.radii.map(|radius| S::unit(thinnest / radius));
         ellipsoid.squash = Vector::new(a, b, c);
         ellipsoid.thickness = S::unit(thinnest / extent);
+        ellipsoid.inside_only = e.inside_only;
         ellipsoids.push(ellipsoid);
     }
     let mut spheres = Vec::with_capacity(description.spheres.len());
@@ -174,7 +180,12 @@ pub fn narrow<S: Narrow>(description: &Description, aspect: f64) -> Result<Narro
     let cones = cones.collect::<Result<Vec<_>, _>>()?;
     let triangles = description.triangles.iter().enumerate().map(|(i, t)| triangle::narrow(i, t));
     let triangles = triangles.collect::<Result<Vec<_>, _>>()?;
-    let lamps: Result<Vec<_>, _> = description.lamps.iter().enumerate().map(|(i, l)| lamp(i, l)).collect();
+    let eye = description.camera.eye;
+    let planes = description.planes.iter().enumerate().map(|(i, p)| plane::narrow(i, p, eye));
+    let planes = planes.collect::<Result<Vec<_>, _>>()?;
+    let square_law = description.model == Model::Rta;
+    let lamps = description.lamps.iter().enumerate().map(|(i, l)| lamp(i, l, square_law));
+    let lamps = lamps.collect::<Result<Vec<_>, _>>()?;
     let floor = match &description.floor {
         None => None,
         Some(floor) => {
@@ -192,7 +203,8 @@ pub fn narrow<S: Narrow>(description: &Description, aspect: f64) -> Result<Narro
         spheres,
         cones,
         triangles,
-        lamps: lamps?,
+        planes,
+        lamps,
         floor,
         sky: Sky {
             horizon: Checker::<S>::named("the horizon").light(description.sky.horizon)?,

@@ -159,11 +159,11 @@ impl Tokens<'_> {
         expected: impl Display,
         meaning: impl Fn(&str) -> Option<T>,
     ) -> Result<T, SceneError> {
-        let (line, column) = self.place();
+        let place = self.place();
         let token = self.next();
         token.and_then(|token| meaning(token.text)).ok_or_else(|| {
             let found = token.map_or(Found::EndOfFile, |token| Found::token(token.text));
-            self.error(line, column, expected.to_string(), found)
+            self.error(place, expected.to_string(), found)
         })
     }
 }

@@ -21,34 +21,28 @@ impl Token<'_> {
 /// The text still to be read, and where that begins.
 #[derive(Clone, Debug)]
 pub(crate) struct Tokens<'a> {
-    rest: &'a str,
+    /// Outside of comments it is UTF-8 without a NUL.
+    rest: &'a [u8],
     file: &'a str,
     line: u32,
     column: u32,
+    /// Pieces that were read, all of them and those before the line of the last one.
+    read: (usize, usize),
+    /// The line of the last piece that was read.
+    last_line: u32,
 }
 
 impl<'a> Tokens<'a> {
-    /// Checks that `text` is text. A byte order mark is skipped and has no column.
+    /// Checks that `text` is text. A byte order mark is skipped and has no column; comments hold any bytes; Ctrl-Z ends a
+    /// text, as it did under CP/M and DOS, where nothing but blanks and more of it follows.
     pub(crate) fn new(text: &'a [u8], file: &'a str) -> Result<Self, SceneError> {
         let text = text.strip_prefix(b"\xef\xbb\xbf").unwrap_or(text);
-        let valid = match core::str::from_utf8(text) {
-            Ok(valid) => valid,
-            // What comes before the bad byte was valid, so this conversion does not fail.
-            Err(error) => {
-                core::str::from_utf8(text.get(..error.valid_up_to()).unwrap_or(&[])).unwrap_or_default()
-            }
-        };
-        let end = valid.find('\0').unwrap_or(valid.len());
-        let mut tokens = Self { rest: valid, file, line: 1, column: 1 };
-        if let Some(&byte) = text.get(end) {
-            tokens.skip(end);
-            let (line, column) = (tokens.line, tokens.column);
-            return Err(tokens.error(
-                line,
-                column,
-                "a scene, which is text in UTF-8".into(),
-                Found::Binary(byte),
-            ));
+        let text = without_end_mark(text);
+        let mut tokens = Self { rest: text, file, line: 1, column: 1, read: (0, 0), last_line: 0 };
+        if let Some((at, byte)) = not_text(text) {
+            tokens.skip(at);
+            let place = (tokens.line, tokens.column);
+            return Err(tokens.error(place, "a scene, which is text in UTF-8".into(), Found::Binary(byte)));
         }
         Ok(tokens)
     }
@@ -57,9 +51,20 @@ impl<'a> Tokens<'a> {
     pub(crate) fn next(&mut self) -> Option<Token<'a>> {
         self.skip_blank();
         let (line, column) = (self.line, self.column);
-        let text =
-            self.skip(self.rest.find(|c: char| c.is_whitespace() || c == '#').unwrap_or(self.rest.len()));
-        (!text.is_empty()).then_some(Token { text, line, column })
+        let text = core::str::from_utf8(self.skip(word(self.rest))).unwrap_or_default();
+        if text.is_empty() {
+            return None;
+        }
+        if line != self.last_line {
+            (self.read.1, self.last_line) = (self.read.0, line);
+        }
+        self.read.0 += 1;
+        Some(Token { text, line, column })
+    }
+
+    /// The next piece, which stays the next one.
+    pub(crate) fn peek(&self) -> Option<Token<'a>> {
+        self.clone().next()
     }
 
     /// Line and column of the next piece, or of the end of the text.
@@ -68,17 +73,43 @@ impl<'a> Tokens<'a> {
         (self.line, self.column)
     }
 
-    /// An error at the given place of this text.
-    pub(crate) fn error(&self, line: u32, column: u32, expected: String, found: Found) -> SceneError {
-        SceneError { file: self.file.into(), line, column, expected, found }
+    /// How many pieces were read: all of them, and those that stand before the line of the last one.
+    pub(crate) fn read(&self) -> (usize, usize) {
+        self.read
+    }
+
+    /// Whether the next piece stands in the line of the last one that was read.
+    pub(crate) fn is_amid_line(&self) -> bool {
+        self.peek().is_some_and(|token| token.line == self.last_line)
+    }
+
+    /// Goes past what is left of the line of the last piece.
+    pub(crate) fn skip_line(&mut self) {
+        while self.is_amid_line() {
+            self.next();
+        }
+    }
+
+    /// How many pieces come next that are meant as numbers, at most `most`.
+    pub(crate) fn numbers_ahead(&self, most: usize) -> usize {
+        let mut ahead = self.clone();
+        let pieces = core::iter::from_fn(|| ahead.next());
+        pieces.take(most).take_while(Token::is_like_a_number).count()
+    }
+
+    /// An error at the given line and column of this text.
+    pub(crate) fn error(&self, (line, column): (u32, u32), expected: String, found: Found) -> SceneError {
+        SceneError { file: self.file.into(), line, column, expected, found, note: None }
     }
 
     fn skip_blank(&mut self) {
         loop {
-            if self.rest.starts_with('#') {
-                self.skip(self.rest.find(['\n', '\r']).unwrap_or(self.rest.len()));
+            if self.rest.first() == Some(&b'#') {
+                self.skip(
+                    self.rest.iter().position(|byte| b"\n\r".contains(byte)).unwrap_or(self.rest.len()),
+                );
             }
-            match self.rest.find(|c: char| !c.is_whitespace()).unwrap_or(self.rest.len()) {
+            match blank(self.rest) {
                 0 => return,
                 blank => self.skip(blank),
             };
@@ -86,22 +117,98 @@ impl<'a> Tokens<'a> {
     }
 
     /// Goes on by `length` bytes, which end between two characters, and returns what it passed.
-    fn skip(&mut self, length: usize) -> &'a str {
-        let (passed, rest) = self.rest.split_at(length);
-        let mut characters = passed.chars().chain(rest.chars().take(1)).peekable();
-        for _ in passed.chars() {
+    fn skip(&mut self, length: usize) -> &'a [u8] {
+        let (passed, rest) = self.rest.split_at(length.min(self.rest.len()));
+        let mut bytes = passed.iter().chain(rest.first()).peekable();
+        for _ in passed {
             // A line ends with LF, CR LF or CR.
-            match (characters.next(), characters.peek()) {
-                (Some('\n'), _) => (self.line, self.column) = (self.line.saturating_add(1), 1),
-                (Some('\r'), next) if next != Some(&'\n') => {
+            match (bytes.next(), bytes.peek()) {
+                (Some(b'\n'), _) => (self.line, self.column) = (self.line.saturating_add(1), 1),
+                (Some(b'\r'), next) if next != Some(&&b'\n') => {
                     (self.line, self.column) = (self.line.saturating_add(1), 1);
                 }
+                // The first byte of a character has its column.
+                (Some(byte), _) if byte & 0xc0 == 0x80 => {}
                 _ => self.column = self.column.saturating_add(1),
             }
         }
         self.rest = rest;
         passed
     }
+}
+
+/// Returns the text without a Ctrl-Z at its end, and what of blanks, NULs and more of them follows it.
+fn without_end_mark(text: &[u8]) -> &[u8] {
+    let is_filling = |byte: &u8| matches!(byte, 0x1a | 0) || byte.is_ascii_whitespace();
+    let end = text.iter().rposition(|byte| !is_filling(byte)).map_or(0, |last| last + 1);
+    let (whole, filling) = text.split_at(end);
+    match filling.iter().position(|byte| *byte == 0x1a) {
+        Some(mark) => text.get(..end + mark).unwrap_or(whole),
+        None => text,
+    }
+}
+
+/// Returns the first byte outside of comments that is no text, and where it is.
+fn not_text(text: &[u8]) -> Option<(usize, u8)> {
+    if core::str::from_utf8(text).is_ok() && !text.contains(&0) {
+        return None;
+    }
+    let (mut at, mut in_comment) = (0, false);
+    for chunk in text.utf8_chunks() {
+        for byte in chunk.valid().bytes() {
+            match byte {
+                b'\n' | b'\r' => in_comment = false,
+                b'#' => in_comment = true,
+                0 if !in_comment => return Some((at, 0)),
+                _ => {}
+            }
+            at += 1;
+        }
+        if let (Some(&byte), false) = (chunk.invalid().first(), in_comment) {
+            return Some((at, byte));
+        }
+        at += chunk.invalid().len();
+    }
+    None
+}
+
+/// Returns the character at the beginning of some text, and its length in bytes.
+fn character(text: &[u8]) -> Option<(char, usize)> {
+    let chunk = text.get(..text.len().min(4))?.utf8_chunks().next()?;
+    chunk.valid().chars().next().map(|c| (c, c.len_utf8()))
+}
+
+/// Returns the length in bytes of the white space with which a text begins.
+fn blank(text: &[u8]) -> usize {
+    let mut length = 0;
+    while let Some(&byte) = text.get(length) {
+        length += match byte {
+            b' ' | b'\t'..=b'\r' => 1,
+            0..0x80 => break,
+            _ => match text.get(length..).and_then(character) {
+                Some((c, bytes)) if c.is_whitespace() => bytes,
+                _ => break,
+            },
+        };
+    }
+    length
+}
+
+/// Returns the length in bytes of the piece with which a text begins.
+fn word(text: &[u8]) -> usize {
+    let mut length = 0;
+    while let Some(&byte) = text.get(length) {
+        length += match byte {
+            b' ' | b'\t'..=b'\r' | b'#' => break,
+            0..0x80 => 1,
+            _ => match text.get(length..).and_then(character) {
+                Some((c, _)) if c.is_whitespace() => break,
+                Some((_, bytes)) => bytes,
+                None => 1,
+            },
+        };
+    }
+    length
 }
 
 #[cfg(test)]
@@ -141,7 +248,7 @@ mod tests {
     fn binary_is_refused_where_it_begins() {
         let cases: [(&[u8], u32, u32, u8); 5] = [
             (b"1 2\n3 \0 4", 2, 3, 0),
-            (b"# \xc3\xa9\xff", 1, 4, 0xff),
+            (b"\xc3\xa9\xff # \xff", 1, 2, 0xff),
             (b"\xff\xfe1\0", 1, 1, 0xff),
             (b"a\0\xff", 1, 2, 0),
             (b"ab\xc3", 1, 3, 0xc3),
@@ -150,5 +257,36 @@ mod tests {
             let error = Tokens::new(text, "t").expect_err("it is binary");
             assert_eq!((error.line, error.column, error.found), (line, column, Found::Binary(byte)));
         }
+    }
+
+    #[test]
+    fn comments_hold_any_bytes() {
+        let mut tokens = Tokens::new(b"# \xf3\0\r1 #\x85\xff\n 2#\xc3", "t").expect("it is text");
+        let read =
+            core::array::from_fn(|_| tokens.next().map(|token| (token.text, token.line, token.column)));
+        assert_eq!(read, [Some(("1", 2, 1)), Some(("2", 3, 2)), None]);
+    }
+
+    #[test]
+    fn ctrl_z_ends_a_text() {
+        for end in ["\x1a", "\x1a\r\n", "\r\n\x1a\x1a\0\0", " \x1a \x1a"] {
+            assert_eq!(places(&format!("a b{end}")), [("a", 1, 1), ("b", 1, 3)], "{end:?}");
+        }
+        assert_eq!(places("a\x1a b"), [("a\x1a", 1, 1), ("b", 1, 4)]);
+        assert!(Tokens::new(b"a \0\0", "t").is_err());
+    }
+
+    #[test]
+    fn pieces_are_counted_by_their_lines() {
+        let mut tokens = Tokens::new(b"1 2\n3 4 a 5", "t").expect("it is text");
+        assert_eq!((tokens.numbers_ahead(9), tokens.numbers_ahead(3)), (4, 3));
+        tokens.next();
+        assert!(tokens.is_amid_line());
+        tokens.next();
+        assert!(!tokens.is_amid_line());
+        tokens.next();
+        assert_eq!(tokens.read(), (3, 2));
+        tokens.skip_line();
+        assert_eq!((tokens.read(), tokens.next()), ((6, 2), None));
     }
 }

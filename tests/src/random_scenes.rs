@@ -233,7 +233,7 @@ fn sphere(position: [f64; 3], radius: f64, color: [f64; 3], surface: Surface) ->
 }
 
 fn ellipsoid(position: [f64; 3], radii: [f64; 3], color: [f64; 3], surface: Surface) -> Ellipsoid {
-    Ellipsoid { position, color, radii, surface, line: 0 }
+    Ellipsoid { position, color, radii, inside_only: false, surface, line: 0 }
 }
 
 fn cylinder([x, y]: [f64; 2], radius: f64, color: [f64; 3], surface: Surface) -> Cylinder {

@@ -103,7 +103,7 @@ const STEEPEST: i64 = 128;
 
 /// Returns whether an object is flat.
 const fn is_flat(object: Object) -> bool {
-    matches!(object, Object::Triangle(_) | Object::Floor)
+    matches!(object, Object::Triangle(_) | Object::Plane(_) | Object::Floor)
 }
 
 /// Returns the size of the cosine of the angle between a ray and the normal of a flat object, and the object's size.
@@ -112,6 +112,10 @@ fn slope<S: Scalar>(scene: &Scene<'_, S>, hit: Hit<S>, ray: &Ray<S>) -> (S::Unit
         Object::Triangle(i) => scene.triangles.get(index(i)).map_or((S::Unit::ONE, S::ZERO), |triangle| {
             (triangle.normal.dot(ray.direction), triangle.extent)
         }),
+        Object::Plane(i) => scene
+            .planes
+            .get(index(i))
+            .map_or((S::Unit::ONE, S::ZERO), |plane| (plane.normal.dot(ray.direction), hit.distance)),
         _ => (ray.direction.z(), hit.distance),
     };
     let size = if cosine < S::Unit::ZERO { -cosine } else { cosine };

@@ -11,8 +11,8 @@ use crate::surface::Surface;
 
 /// `I = Ia C ka + kd sum (N.L) C I + ks (I_ref + sum (N.H)^n I) + kt I_tra`
 ///
-/// Lamps are not attenuated; an intensity above 1, as scenes for attenuated lamps have it, counts as 1. Mirrors are
-/// colourless. The thesis's materials have no coefficients, so the model supplies them:
+/// Lamps are not attenuated; an intensity above 1 counts as 1 where it is made for the square law
+/// ([`Lamp::square_law`](crate::light::Lamp::square_law)). Mirrors are colourless. The thesis's materials have no coefficients, so the model supplies them:
 ///
 /// | material | ka | kd | ks | kt |
 /// | --- | --- | --- | --- | --- |
@@ -63,7 +63,8 @@ impl<S: Scalar> Whitted<S> {
     ) -> Rgb<S::Light> {
         let (kd, ks, exponent) = self.coefficients::<N>(surface.material);
         let intensity = incident.intensity();
-        let intensity = if intensity > S::Light::WHITE { S::Light::WHITE } else { intensity };
+        let is_cut = incident.lamp.square_law && intensity > S::Light::WHITE;
+        let intensity = if is_cut { S::Light::WHITE } else { intensity };
         let diffuse = kd.times(incident.cosine);
         let specular = if N::GLINT && ks > S::Unit::ZERO {
             let cosine = highlight();

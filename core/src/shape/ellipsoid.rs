@@ -27,6 +27,8 @@ pub struct Ellipsoid<S: Scalar> {
     pub squash: UnitVec3<S>,
     /// The smallest radius over the largest: 0 to 1.
     pub thickness: S::Unit,
+    /// Whether only the inside of the surface is visible.
+    pub inside_only: bool,
     /// Reflectance of the surface.
     pub color: Rgb<S::Unit>,
     /// What the surface does with light.
@@ -62,6 +64,7 @@ impl<S: Scalar> Ellipsoid<S> {
             inverse_extent: extent.inverse(),
             squash: Vector::new(part(x), part(y), part(z)),
             thickness: part(extent),
+            inside_only: false,
             color,
             material,
         }
@@ -85,9 +88,10 @@ impl<S: Scalar> Ellipsoid<S> {
         Some(Squashed { b, direction, stretch, foot, past, half })
     }
 
+    /// Returns the distances at which the ray enters and leaves; the first is 0 where the outside is not visible.
     fn roots(&self, s: &Squashed<S>) -> (S, S) {
         let at = |offset: S::Unit| s.b + self.extent.scale((offset - s.past).over(s.stretch));
-        (at(-s.half), at(s.half))
+        (if self.inside_only { S::ZERO } else { at(-s.half) }, at(s.half))
     }
 }
 

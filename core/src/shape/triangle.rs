@@ -12,7 +12,7 @@ use crate::ray::Ray;
 use crate::scalar::vector::{LengthVector, UnitVec3, UnitVector, Vec3, Vector};
 use crate::scalar::{Scalar, Unit};
 
-/// A triangle, visible from both sides.
+/// A triangle.
 #[derive(Clone, Copy, Debug)]
 pub struct Triangle<S: Scalar> {
     /// The vertices.
@@ -23,6 +23,9 @@ pub struct Triangle<S: Scalar> {
     pub normal: UnitVec3<S>,
     /// Unit normals at the vertices, interpolated for a surface that is shaded as if it were curved (Phong 1975).
     pub normals: Option<[UnitVec3<S>; 3]>,
+    /// Whether it is visible only from where the vertices run counterclockwise. A ray that meets it from behind passes, a
+    /// shadow ray too.
+    pub one_sided: bool,
     /// Reflectance of the surface.
     pub color: Rgb<S::Unit>,
     /// What the surface does with light.
@@ -47,7 +50,11 @@ impl<S: Scalar> Triangle<S> {
         // A ray that leads away from the plane, as most do that begin on it.
         let (height, cosine) = (corner.dot(self.normal), self.normal.dot(direction));
         let is_upwards = cosine > S::Unit::ZERO;
-        let is_ahead = if is_upwards { height > S::ZERO } else { cosine < S::Unit::ZERO && height < S::ZERO };
+        let is_ahead = if is_upwards {
+            height > S::ZERO && !self.one_sided
+        } else {
+            cosine < S::Unit::ZERO && height < S::ZERO
+        };
         if !is_ahead {
             return None;
         }

@@ -110,7 +110,7 @@ fn ball(scene: &Description, item: Object) -> Option<Ball> {
             (middle(cone.base, cone.apex), (length(way) / 2.0).hypot(radius))
         }
         Object::Triangle(i) => about(scene.triangles.get(index(i))?.vertices),
-        Object::Floor | Object::Cylinder(_) => return None,
+        Object::Floor | Object::Cylinder(_) | Object::Plane(_) => return None,
     })
 }
 

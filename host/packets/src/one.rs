@@ -69,6 +69,14 @@ impl<S: ToF32> Accelerator<S> for &Packets {
                 }
             }
         }
+        if N::PLANES {
+            for (i, plane) in (0..).zip(world.scene.planes) {
+                if let Some(distance) = plane.intersect(ray, closest.limit()) {
+                    closest.offer::<N>(Hit { distance, object: Object::Plane(i) });
+                    query.shorten(closest.limit());
+                }
+            }
+        }
         if self.nodes.is_empty() {
             closest_of::<S, N>(world, &self.leaves, ray, &mut query, &mut closest);
         } else if !closest_seen::<S, N>(self, world, ray, &mut query, &mut closest) {

@@ -6,6 +6,7 @@ use std::path::PathBuf;
 use clap::Args;
 
 use super::choice;
+use super::scene::ReadingArgs;
 use super::tracing::TracingArgs;
 use crate::engine::{Format, MAX_DEPTH, Model};
 use crate::picture::raster::{Aspect, Size};
@@ -35,8 +36,11 @@ impl FromStr for Choice {
 /// `rta explain`.
 #[derive(Args, Debug)]
 pub struct ExplainArgs {
-    /// Scene file (.dat or .nff), or - for standard input
+    /// Scene file (.dat, .nff or .p3f), or - for standard input
     pub scene: PathBuf,
+    /// How the scene is read
+    #[command(flatten)]
+    pub reading: ReadingArgs,
     /// Column and row from 0,0 in the upper left corner, or worst: the one whose colour is farthest off
     #[arg(short, long, value_name = "X,Y")]
     pub pixel: Choice,
@@ -64,8 +68,8 @@ impl ExplainArgs {
     /// Returns how the picture is traced to which the pixel belongs: one ray through the middle of each pixel.
     #[must_use]
     pub fn tracing(&self) -> TracingArgs {
-        let Self { format, model, depth, size, aspect, fit, .. } = *self;
-        TracingArgs { format, model, depth, size, aspect, fit, ..TracingArgs::default() }
+        let Self { reading, format, model, depth, size, aspect, fit, .. } = *self;
+        TracingArgs { reading, format, model, depth, size, aspect, fit, ..TracingArgs::default() }
     }
 }
 

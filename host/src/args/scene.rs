@@ -4,15 +4,37 @@ use std::path::PathBuf;
 
 use clap::Args;
 
+use rta_scenes::Reading;
+
 use super::choice;
 use crate::engine::{Format, Model};
 use crate::picture::raster::Aspect;
 
+/// How a scene file is read.
+#[derive(Args, Clone, Copy, Debug, Default)]
+pub struct ReadingArgs {
+    /// Pass over lines of a .nff that begin with an unknown word, each with a warning
+    #[arg(long)]
+    pub lenient: bool,
+    /// See polygons of a .nff only from where their corners run counterclockwise, not from both sides
+    #[arg(long)]
+    pub one_sided: bool,
+}
+
+impl From<ReadingArgs> for Reading {
+    fn from(ReadingArgs { lenient, one_sided }: ReadingArgs) -> Self {
+        Self { lenient, one_sided }
+    }
+}
+
 /// `rta check`.
 #[derive(Args, Debug)]
 pub struct CheckArgs {
-    /// Scene file (.dat or .nff), or - for standard input
+    /// Scene file (.dat, .nff or .p3f), or - for standard input
     pub scene: PathBuf,
+    /// How the scene is read
+    #[command(flatten)]
+    pub reading: ReadingArgs,
     /// Number format
     #[arg(short, long, value_parser = choice::format(), ignore_case = true, default_value_t = Format::Q16)]
     pub format: Format,
@@ -27,8 +49,11 @@ pub struct CheckArgs {
 /// `rta bake`.
 #[derive(Args, Debug)]
 pub struct BakeArgs {
-    /// Scene file (.dat or .nff), or - for standard input
+    /// Scene file (.dat, .nff or .p3f), or - for standard input
     pub scene: PathBuf,
+    /// How the scene is read
+    #[command(flatten)]
+    pub reading: ReadingArgs,
     /// Number format
     #[arg(short, long, value_parser = choice::format(), ignore_case = true, default_value_t = Format::Q16)]
     pub format: Format,

@@ -3,6 +3,7 @@
 use clap::Args;
 
 use super::choice;
+use super::scene::ReadingArgs;
 use crate::engine::{Cutoff, Format, MAX_DEPTH, Model};
 use crate::picture::raster::{Aspect, Size};
 use crate::picture::screen::TableKind;
@@ -11,6 +12,9 @@ use crate::request::sampling::Samples;
 /// How a picture is traced.
 #[derive(Args, Clone, Debug)]
 pub struct TracingArgs {
+    /// How the scene is read
+    #[command(flatten)]
+    pub reading: ReadingArgs,
     /// Number format of the tracer
     #[arg(short, long, value_parser = choice::format(), ignore_case = true, default_value_t = Format::F32)]
     pub format: Format,
@@ -56,6 +60,7 @@ impl Default for TracingArgs {
     /// The values of the options that are not given on a command line.
     fn default() -> Self {
         Self {
+            reading: ReadingArgs::default(),
             format: Format::F32,
             model: None,
             depth: 5,

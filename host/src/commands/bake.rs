@@ -14,7 +14,7 @@ use crate::request::scene_file::SceneFile;
 /// # Errors
 /// Those of reading the scene and of writing the source, and [`RequestError::Refused`](crate::request::error::RequestError::Refused).
 pub fn run(args: &BakeArgs) -> Result<(), Error> {
-    let scene = SceneFile::open(&args.scene)?;
+    let scene = SceneFile::open_as(&args.scene, args.reading.into())?;
     let aspect = args.aspect.ratio();
     let model = args.model.unwrap_or(scene.description.model.into());
     let fit = Fit { format: args.format, aspect, model: Some(model), depth: 0, asked: args.fit };

@@ -17,7 +17,7 @@ use crate::request::scene_file::SceneFile;
 /// # Errors
 /// Those of reading the scene and of writing to standard output, and [`RequestError::Refused`](crate::request::error::RequestError::Refused) where the format does not admit it.
 pub fn run(args: &CheckArgs) -> Result<(), Error> {
-    let scene = SceneFile::open(&args.scene)?;
+    let scene = SceneFile::open_as(&args.scene, args.reading.into())?;
     let aspect = args.aspect.ratio();
     let fit = Fit { format: args.format, aspect, model: None, depth: 0, asked: args.fit };
     let description = fit.scaled(&scene);

@@ -74,7 +74,7 @@ fn reference(settings: &Settings) -> Settings {
 pub fn run(args: &ExplainArgs) -> Result<(), Error> {
     let tracing = args.tracing();
     tracing.request(Target::None).raster()?;
-    let scene = SceneFile::open(&args.scene)?;
+    let scene = SceneFile::open_as(&args.scene, args.reading.into())?;
     let request = tracing.request_for(Target::None, &scene)?;
     let (size, aspect) = request.raster()?;
     if let Choice::At(x, y) = args.pixel {

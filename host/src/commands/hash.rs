@@ -15,7 +15,7 @@ use crate::request::scene_file::SceneFile;
 pub fn run(args: &HashArgs) -> Result<(), Error> {
     let target = Target::On(args.device);
     args.tracing.request(target).raster()?;
-    let scene = SceneFile::open(&args.scene)?;
+    let scene = SceneFile::open_as(&args.scene, args.tracing.reading.into())?;
     let request = args.tracing.request_for(target, &scene)?;
     let (size, _) = request.raster()?;
     let hash =

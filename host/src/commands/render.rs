@@ -42,7 +42,7 @@ pub fn run(args: &RenderArgs) -> Result<(), Error> {
     if let (true, Target::On(device)) = (file_type.is_linear(), args.device) {
         return Err(PictureError::LinearFromDevice { file_type, device }.into());
     }
-    let scene = SceneFile::open(&args.scene)?;
+    let scene = SceneFile::open_as(&args.scene, args.tracing.reading.into())?;
     let output = output.beside(&scene.inputs)?;
     let request = args.tracing.request_for(args.device, &scene)?;
     let work = Work::new(&request, &scene, args.tracing.threads, interrupt::watch())?.quiet(args.quiet);

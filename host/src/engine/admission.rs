@@ -1,6 +1,7 @@
 //! Whether a number format admits a scene: the range proof in a format that is chosen when the program runs.
 
 use rta_core::range::{Bound, RangeError};
+use rta_core::scene::Object;
 use rta_scenes::description::Description;
 use rta_scenes::in_format;
 use rta_scenes::narrow::{Narrow, NarrowError, narrow};
@@ -29,6 +30,19 @@ pub enum Refusal {
     /// A quantity that the tracer computes may not fit the format.
     #[error(transparent)]
     Range(#[from] RangeError),
+}
+
+impl Refusal {
+    /// Returns the object that causes a quantity of the tracer to exceed its limit, if one does. An error about a number of the
+    /// scene names its own.
+    #[must_use]
+    pub const fn object(&self) -> Option<Object> {
+        match self {
+            Self::Range(RangeError::Exceeds(Bound { object, .. })) => *object,
+            Self::Range(RangeError::Radius(object) | RangeError::Color(object)) => Some(*object),
+            _ => None,
+        }
+    }
 }
 
 /// Returns the range proof of a scene in `format`, for a screen of the shape `aspect : 1`.

@@ -3,7 +3,7 @@
 use core::fmt;
 use std::io;
 
-use rta_scenes::error::SceneError;
+use rta_scenes::error::{Found, SceneError};
 use rta_scenes::fit::FloorError;
 
 use crate::engine::admission::Refusal;
@@ -24,7 +24,7 @@ pub enum RequestError {
         source: io::Error,
     },
     /// The scene file is not a scene.
-    #[error(transparent)]
+    #[error("{_0}{}", lenient_helps(_0))]
     Scene(#[from] SceneError),
     /// The scene cannot be traced as asked.
     #[error("{name}: {source}")]
@@ -35,7 +35,7 @@ pub enum RequestError {
         source: EngineError,
     },
     /// The number format does not admit the scene.
-    #[error("{name} does not fit {format}: {reason}{}{fit}", fitting(others))]
+    #[error("{name} does not fit {format}: {reason}{}{}{fit}", beginning(*line), fitting(others))]
     Refused {
         /// Name of the scene.
         name: String,
@@ -43,6 +43,8 @@ pub enum RequestError {
         format: Format,
         /// Why not.
         reason: Box<Refusal>,
+        /// The line where the object begins that causes it, if its reason does not say it.
+        line: Option<u32>,
         /// The formats that do admit it.
         others: Vec<Format>,
         /// What scaling it could do.
@@ -107,6 +109,19 @@ pub(super) struct PowerOfTwo(pub(super) f64);
 impl fmt::Display for PowerOfTwo {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if (1e-6..1e9).contains(&self.0) { self.0.fmt(f) } else { write!(f, "2^{}", self.0.log2()) }
+    }
+}
+
+/// Names the line where an object begins, as part of an error message.
+fn beginning(line: Option<u32>) -> String {
+    line.map_or_else(String::new, |line| format!(" (it begins in line {line})"))
+}
+
+/// Names the option that reads past an unknown line, as part of an error message.
+const fn lenient_helps(error: &SceneError) -> &'static str {
+    match error.found {
+        Found::Unknown(_) => "; --lenient reads past such lines",
+        _ => "",
     }
 }
 

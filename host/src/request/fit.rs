@@ -64,7 +64,8 @@ impl Fit {
     pub fn refused(&self, scene: &SceneFile, reason: Refusal) -> RequestError {
         let others = alternatives(&scene.description, self.format, self.aspect, self.depth);
         let (name, fit) = (scene.source.clone(), self.hint(&scene.description));
-        RequestError::Refused { name, format: self.format, reason: Box::new(reason), others, fit }
+        let line = reason.object().and_then(|object| scene.description.line_of(object));
+        RequestError::Refused { name, format: self.format, reason: Box::new(reason), line, others, fit }
     }
 
     /// Returns the error about a scene that could not be made ready to be traced.

@@ -1,18 +1,28 @@
 //! Scene files: from a path, from standard input, or from the program itself.
 
-use std::fs::File;
-use std::io::{self, Read};
+use std::fs::{self, File};
+use std::io::{self, Read, Write};
 use std::path::Path;
 
 use rta_scenes::description::Description;
-use rta_scenes::shipped;
+use rta_scenes::{Reading, shipped};
 
 use super::error::RequestError;
 use crate::picture::output::Inputs;
 
-/// Largest scene file that is read, in bytes: some hundred thousand objects. The limit keeps the program from reading a
-/// device file or a film to its end.
-pub const MAX_FILE: u64 = 64 << 20;
+/// The largest scene file that is read on every machine, in bytes: some hundred thousand objects.
+const LEAST_LIMIT: u64 = 64 << 20;
+
+/// Returns the size of the largest scene file that is read, in bytes: an eighth of the machine's memory where that can be
+/// told, since what is made of a file takes some times its size. The limit keeps the program from reading a device file or a
+/// film until there is no memory left.
+fn limit() -> u64 {
+    let memory = fs::read_to_string("/proc/meminfo").ok();
+    let total =
+        memory.as_deref().and_then(|text| text.lines().find_map(|line| line.strip_prefix("MemTotal:")));
+    let kilobytes: Option<u64> = total.and_then(|rest| rest.split_whitespace().next()?.parse().ok());
+    kilobytes.map_or(LEAST_LIMIT, |size| (size.saturating_mul(1024) / 8).max(LEAST_LIMIT))
+}
 
 /// The contents of a scene file, and its names.
 #[derive(Clone, Debug)]
@@ -33,7 +43,7 @@ impl SceneFile {
     /// # Errors
     /// [`RequestError::Scene`] if the file is malformed.
     pub fn juggler() -> Result<Self, RequestError> {
-        Self::parse("juggler.dat", "juggler", shipped::JUGGLER.as_bytes())
+        Self::parse("juggler.dat", "juggler", shipped::JUGGLER.as_bytes(), Reading::default())
     }
 
     /// Reads the scene file `path`, or standard input if it is `-`.
@@ -41,7 +51,15 @@ impl SceneFile {
     /// # Errors
     /// [`RequestError::Read`] and [`RequestError::Scene`].
     pub fn open(path: &Path) -> Result<Self, RequestError> {
-        Self::open_with_text(path).map(|(scene, _)| scene)
+        Self::open_as(path, Reading::default())
+    }
+
+    /// Reads the scene file `path`, or standard input if it is `-`, as `reading` says. Warnings go to standard error.
+    ///
+    /// # Errors
+    /// [`RequestError::Read`] and [`RequestError::Scene`].
+    pub fn open_as(path: &Path, reading: Reading) -> Result<Self, RequestError> {
+        Self::load(path, reading).map(|(scene, _)| scene)
     }
 
     /// Reads the scene file `path`, or standard input if it is `-`, and returns its text too.
@@ -49,19 +67,23 @@ impl SceneFile {
     /// # Errors
     /// [`RequestError::Read`] and [`RequestError::Scene`].
     pub fn open_with_text(path: &Path) -> Result<(Self, Vec<u8>), RequestError> {
+        Self::load(path, Reading::default())
+    }
+
+    fn load(path: &Path, reading: Reading) -> Result<(Self, Vec<u8>), RequestError> {
         let (name, title, text, inputs) = if path == Path::new("-") {
             let name = "standard input".to_owned();
-            let text = read(io::stdin().lock(), &name)?;
+            let text = read(io::stdin().lock(), &name, limit())?;
             (name, "stdin".to_owned(), text, Inputs::stdin())
         } else {
             let name = path.display().to_string();
             let file =
                 File::open(path).map_err(|source| RequestError::Read { name: name.clone(), source })?;
             let stem = path.file_stem().map(|stem| stem.to_string_lossy().into_owned());
-            let text = read(&file, &name)?;
+            let text = read(&file, &name, limit())?;
             (name.clone(), stem.unwrap_or(name), text, Inputs::file(&file))
         };
-        Ok((Self { inputs, ..Self::parse(&name, &title, &text)? }, text))
+        Ok((Self { inputs, ..Self::parse(&name, &title, &text, reading)? }, text))
     }
 
     /// Returns the three scenes of the thesis, which are part of the program, with their texts.
@@ -71,7 +93,7 @@ impl SceneFile {
     pub fn shipped() -> Result<Vec<(Self, Vec<u8>)>, RequestError> {
         let scene = |(name, text): (&str, &str)| {
             let title = name.trim_end_matches(".dat");
-            Ok((Self::parse(name, title, text.as_bytes())?, text.as_bytes().to_vec()))
+            Ok((Self::parse(name, title, text.as_bytes(), Reading::default())?, text.as_bytes().to_vec()))
         };
         shipped::ALL.into_iter().map(scene).collect()
     }
@@ -84,11 +106,16 @@ impl SceneFile {
         let all = shipped::ALL.into_iter().chain([("balls2.nff", shipped::BALLS_2)]);
         let stem = |name: &str| name.split('.').next() == Some(title);
         let (name, text) = all.into_iter().find(|(name, _)| stem(name))?;
-        Some(Self::parse(name, title, text.as_bytes()))
+        Some(Self::parse(name, title, text.as_bytes(), Reading::default()))
     }
 
-    fn parse(source: &str, title: &str, text: &[u8]) -> Result<Self, RequestError> {
-        let description = rta_scenes::read(text, source)?;
+    fn parse(source: &str, title: &str, text: &[u8], reading: Reading) -> Result<Self, RequestError> {
+        let description = rta_scenes::read_with(text, source, reading)?;
+        let mut to = io::stderr().lock();
+        for warning in &description.warnings {
+            // Standard error may be closed: then nobody wants to know.
+            let _ = writeln!(to, "rta: warning: {}", warning.of_file(source));
+        }
         // A title goes into window titles and file names: what is not plain there is left out.
         let title =
             title.chars().map(|c| if c.is_control() || "/\\:".contains(c) { '_' } else { c }).collect();
@@ -96,19 +123,21 @@ impl SceneFile {
     }
 }
 
-fn read(file: impl Read, name: &str) -> Result<Vec<u8>, RequestError> {
+fn read(file: impl Read, name: &str, limit: u64) -> Result<Vec<u8>, RequestError> {
     let failed = |source| RequestError::Read { name: name.to_owned(), source };
     let mut text = Vec::new();
-    file.take(MAX_FILE + 1).read_to_end(&mut text).map_err(failed)?;
-    if text.len() as u64 > MAX_FILE {
-        return Err(failed(io::Error::other("larger than 64 MiB")));
+    file.take(limit + 1).read_to_end(&mut text).map_err(failed)?;
+    if text.len() as u64 > limit {
+        let mebibytes = limit >> 20;
+        let reason = format!("larger than {mebibytes} MiB, the limit on a machine with this much memory");
+        return Err(failed(io::Error::other(reason)));
     }
     Ok(text)
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{MAX_FILE, SceneFile, read};
+    use super::{LEAST_LIMIT, SceneFile, limit, read};
     use crate::request::error::RequestError;
 
     #[test]
@@ -118,9 +147,9 @@ mod tests {
 
     #[test]
     fn endless_input_is_refused() {
-        let read = read(std::io::repeat(b'1'), "endless");
+        let read = read(std::io::repeat(b'1'), "endless", 3 << 20);
         assert!(matches!(&read, Err(RequestError::Read { name, .. }) if name == "endless"));
-        assert!(read.expect_err("too long").to_string().contains("64 MiB"));
-        const { assert!(MAX_FILE == 64 * 1024 * 1024) };
+        assert!(read.expect_err("too long").to_string().contains("larger than 3 MiB"));
+        assert!(limit() >= LEAST_LIMIT);
     }
 }

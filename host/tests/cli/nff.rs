@@ -93,10 +93,13 @@ fn errors_are_about_the_format_of_the_file() {
     folder.refuses(&["bake", "BAD.NFF", "-o", "bad.rs"], &words);
     folder.scene("bad.nff", SMALL.replace("angle", "angel"));
     folder.refuses(&["check", "bad.nff"], &["bad.nff:1:33: expected the word \"angle\"", "found \"angel\""]);
-    folder.scene("bad.nff", SMALL.replace("b .2", "q .2"));
+    folder.scene("bad.nff", SMALL.replace("b .2", "qq .2"));
     folder.refuses(
         &["hash", "bad.nff"],
-        &["bad.nff:2:1: expected an entity (one of v, b, l, f, s, c, p and pp)"],
+        &[
+            "bad.nff:2:1: expected an entity (one of v, b, l, f, s, c, p and pp)",
+            "found \"qq\"; --lenient reads",
+        ],
     );
     folder.scene("bad.nff", SCENE);
     folder.refuses(&["hash", "bad.nff"], &["bad.nff:1:1: expected an entity"]);
@@ -207,4 +210,61 @@ fn a_scene_that_no_scale_helps_says_so() {
     assert!(message.contains("sphere 1") && !message.contains("--fit"), "{message}");
     folder.refuses(&["check", "bright.nff", "--fit"], &["sphere 1", "--fit finds no scale at which it fits"]);
     assert!(fs::metadata(folder.path("x.png")).is_err());
+}
+
+#[test]
+fn warnings_are_told_on_standard_error_and_lenience_is_asked_for() {
+    let folder = folder();
+    folder.scene("odd.nff", SMALL.replace("b .2", "tess 4\nb .2"));
+    folder.scene("unknown.nff", SMALL.replace("b .2", "torus 1 2 3\nb .2"));
+    let args = |name| ["render", name, "-o", "x.ppm", "--device", "none"];
+    let told = |args: &[&str]| {
+        let Output { status, stdout, stderr } = folder.rta(args);
+        assert!(status.success() && stdout.is_empty(), "{args:?}");
+        String::from_utf8(stderr).unwrap()
+    };
+    let warning = |name, word| {
+        format!(
+            "rta: warning: {name}:2: \"{word}\" and the rest of its line are passed over: it is no entity that rta draws\n"
+        )
+    };
+    assert_eq!(told(&args("odd.nff")), warning("odd.nff", "tess"));
+    folder.refuses(&args("unknown.nff"), &["found \"torus\"; --lenient reads past such lines"]);
+    let lenient = [&args("unknown.nff")[..], &["--lenient"]].concat();
+    assert_eq!(told(&lenient), warning("unknown.nff", "torus"));
+    for command in
+        [&["check", "unknown.nff"][..], &["hash", "unknown.nff"], &["bake", "unknown.nff", "-o", "-"]]
+    {
+        let output = folder.rta(&[command, &["--lenient"]].concat());
+        assert!(output.status.success() && output.stderr.starts_with(b"rta: warning: "), "{command:?}");
+    }
+    // A wall that turns its back on the eye.
+    folder.scene("wall.nff", SMALL.to_owned() + "p 3 -9 -2 -9  0 -2 9  9 -2 -9\n");
+    let one_sided = [&args("wall.nff")[..], &["--one-sided"]].concat();
+    assert!(told(&args("wall.nff")).is_empty());
+    let wall = fs::read(folder.path("x.ppm")).unwrap();
+    assert_eq!(
+        told(&one_sided),
+        "rta: warning: wall.nff: all polygons turn their invisible side to the observer\n"
+    );
+    assert_ne!(fs::read(folder.path("x.ppm")).unwrap(), wall);
+    assert!(told(&args("small.nff")).is_empty());
+    assert_ne!(fs::read(folder.path("x.ppm")).unwrap(), wall);
+}
+
+#[test]
+fn large_files_are_read_and_refusals_name_lines() {
+    let folder = folder();
+    // Most of it is a comment: what counts is that 64 MiB are no limit.
+    let comment = "# 0123456789 abcdef\n".repeat((66 << 20) / 20);
+    folder.scene("long.nff", comment.clone() + SMALL);
+    assert!(folder.prints(&["check", "long.nff"]).contains("long is admitted to q16"));
+    folder.scene("far.nff", SMALL.to_owned() + "s 20000 0 0 1\ns -20000 0 0 1\n");
+    folder.refuses(&["check", "far.nff", "--format", "q20"], &["sphere 2 (line 6) is out of q20's range"]);
+    let refused = folder.rta(&["check", "far.nff", "--format", "q16"]);
+    let message = String::from_utf8(refused.stderr).unwrap();
+    assert!(
+        message.contains("distance between two places") && message.contains("(it begins in line "),
+        "{message}"
+    );
 }

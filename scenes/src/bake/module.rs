@@ -54,7 +54,7 @@ pub(super) fn write<S: Literal>(
         out,
         "    ::rta_core::range::Admitted::baked(\n        ::rta_core::scene::Scene {{\n            \
          cylinders: &CYLINDERS,\n            ellipsoids: &ELLIPSOIDS,\n            spheres: &SPHERES,\n            \
-         cones: &CONES,\n            triangles: &TRIANGLES,\n            lamps: &LAMPS,"
+         cones: &CONES,\n            triangles: &TRIANGLES,\n            planes: &PLANES,\n            lamps: &LAMPS,"
     )?;
     match &scene.floor {
         None => writeln!(out, "            floor: None,")?,
@@ -145,13 +145,14 @@ fn write_lists<S: Literal>(out: &mut impl Write, scene: &Narrowed<S>) -> fmt::Re
     });
     let ellipsoids = scene.ellipsoids.iter().map(|e| {
         format!(
-            "center: {}, radii: {}, extent: {}, inverse_extent: {}, squash: {}, thickness: {}, color: {}, material: {}",
+            "center: {}, radii: {}, extent: {}, inverse_extent: {}, squash: {}, thickness: {}, inside_only: {}, color: {}, material: {}",
             place::<S>(e.center),
             place::<S>(e.radii),
             length(e.extent),
             S::inverse_literal(e.inverse_extent),
             direction::<S>(e.squash),
             unit::<S>(e.thickness),
+            e.inside_only,
             color::<S>(e.color),
             material(&e.material)
         )
@@ -188,22 +189,29 @@ fn write_lists<S: Literal>(out: &mut impl Write, scene: &Narrowed<S>) -> fmt::Re
             Some(normals) => format!("Some([{}])", normals.map(direction::<S>).join(", ")),
         };
         format!(
-            "vertices: [{}], extent: {}, normal: {}, normals: {normals}, color: {}, material: {}",
+            "vertices: [{}], extent: {}, normal: {}, normals: {normals}, one_sided: {}, color: {}, material: {}",
             t.vertices.map(place::<S>).join(", "),
             length(t.extent),
             direction::<S>(t.normal),
+            t.one_sided,
             color::<S>(t.color),
             material(&t.material)
         )
     });
+    let planes = scene.planes.iter().map(|p| {
+        let (center, normal) = (place::<S>(p.center), direction::<S>(p.normal));
+        let (color, material) = (color::<S>(p.color), material(&p.material));
+        format!("center: {center}, normal: {normal}, color: {color}, material: {material}")
+    });
     let lamps = scene.lamps.iter().map(|l| {
         format!(
-            "position: {}, radius: {}, inverse_radius: {}, power: {}, tint: {}",
+            "position: {}, radius: {}, inverse_radius: {}, power: {}, tint: {}, square_law: {}",
             place::<S>(l.position),
             length(l.radius),
             S::inverse_literal(l.inverse_radius),
             S::power_literal(l.power),
-            color::<S>(l.tint)
+            color::<S>(l.tint),
+            l.square_law
         )
     });
     write_list(out, "CYLINDERS", "shape::Cylinder", &cylinders.collect::<Vec<_>>())?;
@@ -211,6 +219,7 @@ fn write_lists<S: Literal>(out: &mut impl Write, scene: &Narrowed<S>) -> fmt::Re
     write_list(out, "SPHERES", "shape::Sphere", &spheres.collect::<Vec<_>>())?;
     write_list(out, "CONES", "shape::Cone", &cones.collect::<Vec<_>>())?;
     write_list(out, "TRIANGLES", "shape::Triangle", &triangles.collect::<Vec<_>>())?;
+    write_list(out, "PLANES", "shape::Plane", &planes.collect::<Vec<_>>())?;
     write_list(out, "LAMPS", "light::Lamp", &lamps.collect::<Vec<_>>())
 }
 

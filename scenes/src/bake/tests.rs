@@ -40,6 +40,7 @@ fn a_scene_needs_what_is_in_it_and_no_more() {
                 "CONES",
                 "TRIANGLES",
                 "NORMALS",
+                "PLANES",
                 "CYLINDERS",
                 "GLASS",
                 "FINISH",
@@ -47,13 +48,16 @@ fn a_scene_needs_what_is_in_it_and_no_more() {
                 "TRANSPARENT_SHADOWS",
             ][..],
         ),
-        (shipped::HALL_22, &["CONES", "TRIANGLES", "NORMALS", "GLASS", "FINISH", "TRANSPARENT_SHADOWS"]),
-        (shipped::GLASS_2, &["ELLIPSOIDS", "CONES", "TRIANGLES", "NORMALS", "CYLINDERS", "FINISH"]),
+        (
+            shipped::HALL_22,
+            &["CONES", "TRIANGLES", "NORMALS", "PLANES", "GLASS", "FINISH", "TRANSPARENT_SHADOWS"],
+        ),
+        (shipped::GLASS_2, &["ELLIPSOIDS", "CONES", "TRIANGLES", "NORMALS", "PLANES", "CYLINDERS", "FINISH"]),
     ] {
         for format in [Format::F32, Format::F64, Format::Q16, Format::Q20] {
             let source = source(&read(text), &Recipe::new(format));
             assert_eq!(needs(&source, false), without);
-            assert_eq!(needs(&source, true).len() + without.len(), 18);
+            assert_eq!(needs(&source, true).len() + without.len(), 19);
         }
     }
 }
@@ -64,7 +68,7 @@ fn the_model_decides_what_is_needed() {
     let mut scene = read(shipped::GLASS_2);
     assert_eq!(
         needs(&source(&scene, &recipe), false),
-        ["ELLIPSOIDS", "CONES", "TRIANGLES", "NORMALS", "CYLINDERS", "FINISH", "ATTENUATION"]
+        ["ELLIPSOIDS", "CONES", "TRIANGLES", "NORMALS", "PLANES", "CYLINDERS", "FINISH", "ATTENUATION"]
     );
     // A shiny sphere alone: it reflects in Whitted's model only.
     scene.spheres.remove(0);

@@ -18,7 +18,8 @@ fn scene(model: Model) -> Description {
     scene.model = model;
     let (position, color, surface) = ([1.0, 2.0, 3.0], [0.5; 3], Surface::Shiny);
     scene.cylinders = vec![Cylinder { position, color, radius: 4.0, surface, line: 1 }];
-    scene.ellipsoids = vec![Ellipsoid { position, color, radii: [4.0, 5.0, 6.0], surface, line: 1 }];
+    scene.ellipsoids =
+        vec![Ellipsoid { position, color, radii: [4.0, 5.0, 6.0], inside_only: false, surface, line: 1 }];
     scene.lamps.iter_mut().for_each(|lamp| lamp.radius = 2.0);
     scene
 }

@@ -42,6 +42,7 @@ pub fn narrow<S: Narrow>(index: usize, of: &description::Triangle) -> Result<Tri
         extent,
         normal: direction::<S>(normal),
         normals,
+        one_sided: of.one_sided,
         color: check.color("a colour's register", of.color)?,
         material: check.material(&of.surface)?,
     })

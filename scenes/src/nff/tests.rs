@@ -1,7 +1,10 @@
+mod dialects;
 mod errors;
 
 use super::read;
-use crate::description::{Camera, Cone, Description, Lamp, Model, Side, Sky, Sphere, Surface, Triangle};
+use crate::description::{
+    Camera, Cone, Description, Ellipsoid, Lamp, Model, Side, Sky, Sphere, Surface, Triangle,
+};
 
 /// One of everything; each test spoils one line of it.
 const SCENE: &str = "\
@@ -52,7 +55,7 @@ fn accepted(text: impl AsRef<[u8]>) -> Description {
 }
 
 fn triangle(vertices: [[f64; 3]; 3], normals: Option<[[f64; 3]; 3]>, line: u32) -> Triangle {
-    Triangle { vertices, normals, color: [1.0, 2.0, 3.0], surface: DARK, line }
+    Triangle { vertices, normals, one_sided: false, color: [1.0, 2.0, 3.0], surface: DARK, line }
 }
 
 #[test]
@@ -86,16 +89,21 @@ fn every_number_lands_where_it_belongs() {
         up: Some([0.0, 0.0, 2.0]),
     };
     let expected = Description {
-        spheres: vec![
-            Sphere {
-                position: [1.0, 2.0, 3.0],
-                color: [0.9, 0.8, 0.7],
-                radius: 0.25,
-                surface: FINISH,
-                line: 13,
-            },
-            Sphere { position: [4.0, 5.0, 6.0], color, radius: 2.0, surface: DARK, line: 15 },
-        ],
+        spheres: vec![Sphere {
+            position: [1.0, 2.0, 3.0],
+            color: [0.9, 0.8, 0.7],
+            radius: 0.25,
+            surface: FINISH,
+            line: 13,
+        }],
+        ellipsoids: vec![Ellipsoid {
+            position: [4.0, 5.0, 6.0],
+            color,
+            radii: [2.0; 3],
+            inside_only: true,
+            surface: DARK,
+            line: 15,
+        }],
         cones: vec![cone, inside],
         triangles: vec![
             triangle([[0.0; 3], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0]], None, 19),
@@ -158,7 +166,7 @@ fn what_is_left_out_has_a_default() {
     let scene = accepted(view);
     let camera = scene.camera.clone();
     let empty = Description { model: Model::Phong, raster: Some([4, 4]), ..Description::empty(camera) };
-    assert_eq!(scene, empty);
+    assert_eq!(scene.without_lines(), empty);
     for (count, share) in [(1, 1.0), (2, 0.5_f64.sqrt()), (3, (1.0_f64 / 3.0).sqrt()), (4, 0.5)] {
         // Lights that say their colour count too.
         let scene = accepted(format!("{}l 1 2 3 5 6 7\n{view}", "l 1 2 3\n".repeat(count - 1)));

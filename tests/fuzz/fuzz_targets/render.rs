@@ -142,6 +142,7 @@ impl Input {
                     position: values(position),
                     color: sizes(color),
                     radii: radii.map(Number::positive),
+                    inside_only: false,
                     surface: made.surface(),
                     line: 0,
                 }),

@@ -211,6 +211,7 @@ fn quadrics_have_their_shapes() {
         position: [1.0, 2.0, 3.0],
         color: [1.0; 3],
         radii: [4.0, 2.0, 1.0],
+        inside_only: false,
         surface: Surface::Opaque,
         line: 0,
     }];

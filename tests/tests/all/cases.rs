@@ -1,155 +1,243 @@
-//! Scenes that were once drawn wrong, each with what is right: thin solids, rays along an axis, an apex, mixed normals, endless
-//! cylinders. Their files are in `tests/cases/`.
-
+//! Scene files of the kinds that people have and that were once drawn wrong, or not at all: each says in its comments what is
+//! right. They are drawn in every number format.
 #![allow(clippy::indexing_slicing, reason = "a test may panic")]
 
-use core::f64::consts::PI;
+use rta::engine::{Format, Model, Settings};
+use rta_scenes::Reading;
+use rta_scenes::description::Description;
+use rta_tests::picture::{render, settings};
 
-use rta::engine::{Format, Settings};
-use rta_scenes::description::{Camera, Cylinder, Description, Lamp, Sky, Surface};
-use rta_scenes::model::Model;
-use rta_tests::picture::{render, share_within};
-
-type Color = [f64; 3];
-
-/// Reads a scene of `tests/cases/`.
-fn scene(name: &str) -> Description {
-    let path = format!("{}/cases/{name}", env!("CARGO_MANIFEST_DIR"));
-    let text = std::fs::read(&path).unwrap_or_else(|error| panic!("{path}: {error}"));
-    rta_scenes::read(&text, name).unwrap_or_else(|error| panic!("{error}"))
+/// Reads a scene of `tests/scenes/cases`.
+fn read(file: &str) -> Vec<u8> {
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes/cases");
+    std::fs::read(folder.join(file)).unwrap_or_else(|error| panic!("{file}: {error}"))
 }
 
-/// Draws a scene with Phong's model, or the thesis's where its file has no raster, and that depth.
-fn draw(name: &str, format: Format, depth: u32) -> Vec<Color> {
-    let scene = scene(name);
-    let (model, [width, height]) = match scene.raster {
-        Some(raster) => (Model::Phong, raster),
-        None => (Model::Rta, [40, 30]),
-    };
-    let aspect = f64::from(width) / f64::from(height);
-    let settings = Settings { format, width, height, aspect, model, depth, ..Settings::default() };
-    render(&scene, &settings).unwrap_or_else(|error| panic!("{name}, {format}: {error}"))
+fn scene(text: impl AsRef<[u8]>) -> Description {
+    rta_scenes::read(text.as_ref(), "case.nff").unwrap_or_else(|error| panic!("{error}"))
 }
 
-/// Returns how many pixels are not within 1e-4 of `color`.
-fn others(picture: &[Color], color: Color) -> usize {
-    let is_other = |pixel: &&Color| pixel.iter().zip(color).any(|(got, want)| (got - want).abs() > 1e-4);
-    picture.iter().filter(is_other).count()
+/// The warnings of a scene, as they are printed.
+fn warnings(scene: &Description) -> Vec<String> {
+    scene.warnings.iter().map(|warning| warning.of_file("case.nff").to_string()).collect()
+}
+
+/// A picture of the size that a scene is made for, row by row from the top.
+struct Picture(usize, Vec<[f64; 3]>);
+
+impl Picture {
+    fn new(scene: &Description, format: Format) -> Self {
+        let [width, height] = scene.raster.expect("NFF says it");
+        let aspect = f64::from(width) / f64::from(height);
+        let settings = Settings { width, height, aspect, model: Model::Phong, ..settings(format) };
+        Self(width as usize, render(scene, &settings).expect("it fits every format"))
+    }
+
+    fn at(&self, x: usize, y: usize) -> [f64; 3] {
+        self.1[y * self.0 + x]
+    }
+
+    /// How many pixels are more red than black.
+    fn red(&self) -> usize {
+        self.1.iter().filter(|pixel| pixel[0] > 0.02).count()
+    }
+}
+
+/// Calls `test` with the picture of a scene in every format.
+fn drawn(scene: &Description, test: impl Fn(Format, &Picture)) {
+    for &format in Format::ALL {
+        test(format, &Picture::new(scene, format));
+    }
+}
+
+fn is_near(got: [f64; 3], want: [f64; 3]) -> bool {
+    got.iter().zip(want).all(|(got, want)| (got - want).abs() < 1e-3)
 }
 
 #[test]
-fn thin_cylinders_do_not_shadow_themselves() {
-    for &format in Format::ALL {
-        let picture = draw("01-thin-cylinders.nff", format, 5);
-        let is_cylinder = |[_, _, blue]: &&Color| *blue < 0.25;
-        let (seen, black) =
-            (picture.iter().filter(is_cylinder).count(), picture.len() - others(&picture, [0.0; 3]));
-        assert!((1020..1035).contains(&seen) && black == 0, "{format}: {seen} pixels, {black} of them black");
+fn an_outline_may_run_out_and_back_from_any_corner_on() {
+    let text = String::from_utf8(read("polygon-antenna.nff")).expect("it is text");
+    let (head, corners) = text.split_once("p 6\n").expect("it is a polygon of six corners");
+    let mut corners: Vec<_> = corners.lines().collect();
+    for _ in 0..6 {
+        let scene = scene(format!("{head}p 6\n{}\n", corners.join("\n")));
+        assert!(scene.warnings.is_empty());
+        drawn(&scene, |format, picture| assert_eq!(picture.red(), 1849, "{format}: {corners:?}"));
+        corners.rotate_left(1);
     }
 }
 
 #[test]
-fn a_slim_mirror_does_not_meet_itself() {
-    for &format in Format::ALL {
-        assert_eq!(others(&draw("rel-slim-cylinder.nff", format, 5), [1.0; 3]), 0, "{format}");
-    }
+fn a_bow_tie_is_two_triangles() {
+    let scene = scene(read("bow-tie.nff"));
+    assert_eq!(
+        warnings(&scene),
+        ["case.nff:13: this polygon crosses itself: all that its outline winds around is shown"]
+    );
+    drawn(&scene, |format, picture| {
+        let red = picture.red();
+        assert!((930..=990).contains(&red), "{format}: {red}");
+    });
 }
 
 #[test]
-fn a_ray_along_a_tube_meets_nothing() {
-    for &format in Format::ALL {
-        assert_eq!(others(&draw("04-along-a-tube.nff", format, 5), [0.0, 0.0, 0.5]), 0, "{format}");
-    }
+fn a_sphere_may_be_seen_from_the_inside_only() {
+    drawn(&scene(read("inside-only-sphere.nff")), |format, picture| {
+        assert!(is_near(picture.at(32, 32), [0.0, 0.0, 1.0]), "{format}: {:?}", picture.at(32, 32));
+        let [red, green, blue] = picture.at(42, 32);
+        assert!(red > 0.3 && green + blue == 0.0, "{format}: {red} {green} {blue}");
+        assert_eq!(picture.at(0, 0), [0.0; 3]);
+    });
 }
 
 #[test]
-fn an_apex_is_met_and_lit_like_the_side() {
-    for &format in Format::ALL {
-        let picture = draw("11-apex.nff", format, 5);
-        // The sine of the angle between axis and side; beside the apex a little less.
-        for (x, want) in [(64, 1.0 / 17f64.sqrt()), (65, 0.2370)] {
-            let [red, green, blue] = picture[64 * 129 + x];
-            assert!((red - want).abs() < 1e-4 && green + blue == 0.0, "{format}: {red} {green} {blue}");
+fn a_polygon_may_be_seen_from_one_side_only() {
+    let text = read("one-sided-polygon.nff");
+    drawn(&scene(&text), |format, picture| assert_eq!(picture.at(32, 32), [0.0; 3], "{format}"));
+    let reading = Reading { one_sided: true, ..Reading::default() };
+    let one_sided = rta_scenes::read_with(&text, "case.nff", reading).expect("it is sound");
+    drawn(&one_sided, |format, picture| {
+        let pixel = picture.at(32, 32);
+        assert!(is_near(pixel, [0.0, 1.0, 0.0]), "{format}: {pixel:?}");
+    });
+}
+
+#[test]
+fn a_scene_without_light_is_black_and_says_why() {
+    let scene = scene(read("no-light.nff"));
+    assert_eq!(
+        warnings(&scene),
+        ["case.nff: the scene has no light: what does not mirror its background is black"]
+    );
+    drawn(&scene, |format, picture| assert!(picture.1.iter().all(|pixel| *pixel == [0.0; 3]), "{format}"));
+}
+
+#[test]
+fn old_texts_are_read() {
+    let text = read("old-text.nff");
+    assert!(text.ends_with(b"\x1a") && core::str::from_utf8(&text).is_err());
+    let scene = scene(text);
+    assert!(scene.warnings.is_empty());
+    drawn(&scene, |format, picture| assert_eq!(picture.red(), 1549, "{format}"));
+}
+
+#[test]
+fn an_object_before_the_first_fill_is_drawn() {
+    let scene = scene(read("object-before-fill.nff"));
+    assert_eq!(warnings(&scene), ["case.nff:11: objects before the first fill (f) are white and diffuse"]);
+    drawn(&scene, |format, picture| {
+        assert!(is_near(picture.at(32, 32), [1.0; 3]), "{format}");
+        assert!(is_near(picture.at(0, 0), [0.0, 0.0, 0.5]), "{format}");
+    });
+}
+
+#[test]
+fn another_format_of_that_name_is_named() {
+    let error = rta_scenes::read(&read("other-nff.nff"), "case.nff").expect_err("it is another format");
+    assert!(error.to_string().contains("WorldToolKit's NFF"), "{error}");
+}
+
+#[test]
+fn lights_brighter_than_1_are_not_cut() {
+    let text = String::from_utf8(read("bright-light.nff")).expect("it is text");
+    let (bright, dim) = (scene(&text), scene(text.replace("0 -9 0 2 1 .5", "0 -9 0 1 .5 .25")));
+    assert_ne!(bright, dim);
+    drawn(&bright, |format, picture| {
+        let dim = Picture::new(&dim, format);
+        assert!(dim.red() > 100);
+        for (bright, dim) in picture.1.iter().zip(&dim.1) {
+            assert!(is_near(*bright, dim.map(|register| 2.0 * register)), "{format}: {bright:?} {dim:?}");
         }
-    }
+    });
+    // Lamps that are made for the square law are.
+    let square = Description { model: rta_scenes::description::Model::Rta, ..bright };
+    drawn(&square, |format, picture| {
+        let dim = Picture::new(&dim, format);
+        assert!(picture.1.iter().zip(&dim.1).all(|(bright, dim)| is_near(*bright, *dim)), "{format}");
+    });
 }
 
 #[test]
-fn a_patch_with_mixed_normals_does_not_meet_itself() {
-    for &format in Format::ALL {
-        let picture = draw("rel-patch-meets-itself.nff", format, 5);
-        let mirror = others(&picture, [1.0; 3]);
-        assert!((700..900).contains(&mirror), "{format}: {mirror} pixels");
-        assert_eq!(others(&picture, [0.5; 3]), picture.len() - mirror, "{format}: one colour");
-    }
-}
-
-/// A closed ball of smooth mirror polygons before white: all it can reflect is white.
-#[test]
-fn a_ball_of_smooth_mirrors_reflects_only_the_sky() {
-    let place = |i: u32, j: u32| {
-        let (latitude, longitude) = (f64::from(i) * PI / 8.0, f64::from(j) * PI / 8.0);
-        [latitude.sin() * longitude.cos(), latitude.sin() * longitude.sin(), latitude.cos()]
-    };
-    for eye in ["0 -6 0.5", "3 4 -2", "0.2 0.1 6"] {
-        let mut text =
-            format!("b 1 1 1\nv from {eye} at 0 0 0 up 0.3 0.1 1 angle 24 hither 1 resolution 64 64\n");
-        text.push_str("f 1 1 1 0 1 1 0 1\n");
-        for (i, j) in (0..8).flat_map(|i| (0..16).map(move |j| (i, j))) {
-            let corners = [(i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)];
-            let corners: Vec<_> = match i {
-                0 => [0, 1, 2].map(|k| corners[k]).into(),
-                7 => [0, 1, 3].map(|k| corners[k]).into(),
-                _ => corners.into(),
-            };
-            text.push_str(&format!("pp {}\n", corners.len()));
-            for (i, j) in corners {
-                let [x, y, z] = place(i, j).map(|c| c + 0.0);
-                text.push_str(&format!("{x:.9} {y:.9} {z:.9} {x:.9} {y:.9} {z:.9}\n"));
+fn a_plane_reaches_to_the_horizon() {
+    let head = "b 0 0 1\nv from 0 0 3 at 0 10 3 up 0 0 1 angle 40 hither 1 resolution 33 33\nl 0 0 1000\n";
+    // Written by three points of any order and distance, it is one plane.
+    for points in ["9 9 0  -9 9 0  -9 -9 0", "-1e3 0 0  1e3 1 0  0 -1e3 0"] {
+        let plane = scene(format!("{head}f 1 0 0 1 0 1 0 1\npl {points}\ns 0 10 1 1"));
+        drawn(&plane, |format, picture| {
+            for y in 0..33 {
+                let want = if y < 16 { [0.0, 0.0, 1.0] } else { [1.0, 0.0, 0.0] };
+                let pixel = picture.at(3, y);
+                // Where the plane ends in numbers, in fixed point, its light is that of its rim.
+                let is_rim = y == 16;
+                assert!(is_rim || (pixel[0] > 0.9) == (want[0] > 0.9), "{format}, {y}: {pixel:?}");
+                assert!(is_rim || (pixel[2] > 0.9) == (want[2] > 0.9), "{format}, {y}: {pixel:?}");
             }
-        }
-        let scene = rta_scenes::read(text.as_bytes(), "ball.nff").expect("it is right");
-        for &format in Format::ALL {
-            let settings = Settings {
-                format,
-                width: 64,
-                height: 64,
-                aspect: 1.0,
-                model: Model::Phong,
-                depth: 16,
-                ..Settings::default()
-            };
-            let picture = render(&scene, &settings).expect("it fits");
-            assert_eq!(others(&picture, [1.0; 3]), 0, "{format}, from {eye}");
-        }
+        });
     }
+    // A mirror shows the sky, and the shadow of a sphere lies where it stands.
+    let mirror = scene(format!("{head}f 1 1 1 0 1 1000 0 1\npl 0 0 0 1 0 0 0 1 0"));
+    drawn(&mirror, |format, picture| assert!(is_near(picture.at(16, 30), [0.0, 0.0, 1.0]), "{format}"));
+    let shaded = scene(format!("{head}f 1 0 0 1 0 1 0 1\npl 0 0 0 1 0 0 0 1 0\ns 0 12 2.5 1"));
+    drawn(&shaded, |format, picture| {
+        let row = |x: usize| (17..33).filter(|&y| picture.at(x, y) == [0.0; 3]).count();
+        assert!(row(16) > 0 && row(0) == 0, "{format}");
+    });
 }
 
-/// An endless cylinder has no end, also where the number format has no numbers for the place of the hit.
+/// A file of the dialects is drawn, with so many warnings.
 #[test]
-fn an_endless_cylinder_is_seen_at_any_height() {
-    let walls = [
-        scene("rel-cylinder-ends.dat"),
-        inside([0.0, 0.0, 1.0], [0.05, 0.02, 1.0]),
-        inside([0.0, 0.0, 1.0], [0.3, 0.2, 1.0]),
-    ];
-    for wall in walls {
-        let draw = |format| {
-            let settings = Settings { format, width: 40, height: 30, ..Settings::default() };
-            render(&wall, &settings).expect("it fits")
-        };
-        let (exact, fixed) = (draw(Format::F64), draw(Format::Q16));
-        assert!(share_within(&exact, &fixed, 1.0 / 63.0) == 100.0, "{:?}", wall.camera);
+fn dialects_are_drawn() {
+    let head = "b 0 0 0.5\nv\nfrom 0 0 8\nat 0 0 0\nup 0 1 0\nangle 40\nhither 1\nresolution 65 65\nl 3 4 8\n\
+                f 1 0 0 1 0 1 0 1\n";
+    let ball = "s 0 0 0 1\n";
+    let plain = Picture::new(&scene(format!("{head}{ball}")), Format::F64);
+    for (line, warned, changes) in [
+        ("f 1 0.5 0.5 0.6 0.4 30 0 1 wood.png", 1, true),
+        ("fp 1 0.5 0.5 0.6 0.4 30 0 1", 0, true),
+        ("pl 9 9 -1  -9 9 -1  -9 -9 -1", 0, true),
+        ("box -1 -1 -1  1 1 1", 0, true),
+        ("Balls", 1, false),
+        ("F 0 1 0 1 0 1 0 1", 0, true),
+        ("tess 4", 1, false),
+        ("Q 2", 1, false),
+        ("B sky.hdr", 1, false),
+        ("L 1 1 0.9 30 atten 0 0 1\np 3 0 0 3 1 0 3 0 1 3\nL 0 0 0 0", 1, true),
+        ("k 0.1 0.1 0.1", 0, true),
+        ("accel 0\nspp 0\nbclr 0.1 0.3 0.7\naperture 0\nfocal 1", 1, true),
+        ("f 1 0.7 0.3  1 1 1  0.8 0 10 0 1", 0, true),
+    ] {
+        let scene = scene(format!("{head}{line}\n{ball}"));
+        assert_eq!(scene.warnings.len(), warned, "{line}: {:?}", scene.warnings);
+        assert!(scene.warnings.iter().all(|warning| warning.line == 11 || line.contains("spp")), "{line}");
+        drawn(&scene, |format, picture| {
+            let middle = picture.at(32, 32);
+            assert!(middle[0].max(middle[1]) > 0.02, "{format}, {line}: {middle:?}");
+            if format == Format::F64 {
+                assert_eq!(picture.1 != plain.1, changes, "{line}");
+            }
+        });
     }
 }
 
-/// An opaque cylinder about an eye that looks up, and a lamp beside it.
-fn inside(eye: Color, view: Color) -> Description {
-    let sky = Sky { horizon: [0.5; 3], zenith: [1.0; 3] };
-    let mut scene =
-        Description { ambient: [0.2; 3], sky, ..Description::empty(Camera::upright(eye, view, 20.0)) };
-    let (color, surface) = ([0.9, 0.5, 0.2], Surface::Opaque);
-    scene.cylinders.push(Cylinder { position: [0.0; 3], color, radius: 2867.0, surface, line: 0 });
-    scene.lamps.push(Lamp { position: [9.0, 3.0, 2.0], color: [1e6; 3], radius: 0.0, line: 0 });
-    scene
+/// The annotated scenes of the page about scene files are scenes, and nothing is to be said of them.
+#[test]
+fn the_scenes_of_the_page_are_drawn() {
+    let page = include_str!("../../../scenes/README.md");
+    let blocks: Vec<_> =
+        page.split("```text\n").skip(1).filter_map(|rest| rest.split("```").next()).collect();
+    let [dat, nff, error] = blocks[..] else { panic!("{} blocks", blocks.len()) };
+    for (text, name, objects) in [(dat, "page.dat", 4), (nff, "page.nff", 5)] {
+        let scene = rta_scenes::read(text.as_bytes(), name).unwrap_or_else(|error| panic!("{error}"));
+        assert!(scene.warnings.is_empty(), "{:?}", scene.warnings);
+        let Description { cylinders, ellipsoids, spheres, cones, triangles, .. } = &scene;
+        let count = cylinders.len() + ellipsoids.len() + spheres.len() + cones.len() + triangles.len();
+        assert_eq!(count, objects, "{name}");
+        for &format in Format::ALL {
+            assert!(render(&scene, &settings(format)).is_ok(), "{name} in {format}");
+        }
+    }
+    // The error is the one that such a file gives.
+    let file = "\n".repeat(9) + "f 1 1 1 1 0 1 0 1 s 0 0 0 1 s 0 0 0 1\ns 1 2 3\n    s 0 0 0 1";
+    let got = rta_scenes::read(file.as_bytes(), "scene.nff").expect_err("a sphere is short");
+    assert_eq!(got.to_string(), error.trim_end());
 }

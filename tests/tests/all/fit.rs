@@ -35,8 +35,8 @@ fn fitted(scene: &Description, format: Format) -> (f64, Description, Option<f64>
 #[test]
 fn small_worlds_are_drawn_as_precisely_as_others() {
     for (name, text, factors) in [
-        ("small-world", include_str!("../../cases/small-world.nff"), [26, 22]),
-        ("fit-tiny", include_str!("../../cases/fit-tiny.nff"), [29, 25]),
+        ("small-world", include_str!("../../scenes/cases/small-world.nff"), [26, 22]),
+        ("fit-tiny", include_str!("../../scenes/cases/fit-tiny.nff"), [29, 25]),
     ] {
         let scene = nff::read(text.as_bytes(), name).expect(name);
         for (format, exponent) in [Format::Q16, Format::Q20].into_iter().zip(factors) {

@@ -27,6 +27,7 @@ mod range;
 mod report;
 mod sampling;
 mod single_rays;
+mod solid_cases;
 mod solids;
 mod stability;
 mod stack;

@@ -58,8 +58,9 @@ fn scene() -> impl Strategy<Value = Description> {
         Cylinder { position, color, radius, surface, line: 0 }
     });
     let radii = prop::array::uniform3(radius());
-    let ellipsoid = (point(), color(), radii, surface())
-        .prop_map(|(position, color, radii, surface)| Ellipsoid { position, color, radii, surface, line: 0 });
+    let ellipsoid = (point(), color(), radii, surface()).prop_map(|(position, color, radii, surface)| {
+        Ellipsoid { position, color, radii, inside_only: false, surface, line: 0 }
+    });
     let sphere = (point(), color(), radius(), surface())
         .prop_map(|(position, color, radius, surface)| Sphere { position, color, radius, surface, line: 0 });
     let floor = prop::option::of([color(), color()].prop_map(|colors| Floor { colors }));

@@ -208,6 +208,7 @@ fn triangles<S: Measure>(seed: u64) {
         let triangle = Triangle {
             vertices,
             normals: curved.then_some(normals),
+            one_sided: false,
             color: COLOR,
             surface: SURFACE,
             line: 0,
@@ -263,6 +264,7 @@ fn seams<S: Measure>(seed: u64) {
         let triangle = |c: Triple, vertices: [Triple; 2]| Triangle {
             vertices: [c, vertices[0], vertices[1]],
             normals: None,
+            one_sided: false,
             color: COLOR,
             surface: SURFACE,
             line: 0,

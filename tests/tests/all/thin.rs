@@ -161,6 +161,7 @@ fn triangles<S: Measure>(all: impl IntoIterator<Item = [Triple; 3]>) -> Narrowed
         .map(|vertices| Triangle {
             vertices,
             normals: None,
+            one_sided: false,
             color: [0.5; 3],
             surface: Surface::Opaque,
             line: 0,

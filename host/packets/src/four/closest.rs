@@ -118,6 +118,16 @@ impl Packets {
                 }
             }
         }
+        if N::PLANES {
+            for (i, plane) in (0..).zip(world.scene.planes) {
+                for r in Bits(there) {
+                    if let Some(distance) = plane.intersect(&rays.lane(r), lane(&closest.limit, r)) {
+                        closest.offer_one::<N>(r, Hit { distance, object: Object::Plane(i) });
+                        four.shorten(closest.limit);
+                    }
+                }
+            }
+        }
         if self.nodes.is_empty() {
             for leaf in &self.leaves {
                 asked += self.closest_of::<N>(world, (leaf, leaf.slots(), 15), rays, &mut four, closest);

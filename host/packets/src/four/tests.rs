@@ -141,6 +141,7 @@ fn triangles() {
             extent,
             normal,
             normals: None,
+            one_sided: false,
             color: GREY,
             material: Material::Opaque,
         };

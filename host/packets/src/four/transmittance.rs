@@ -88,6 +88,9 @@ impl Packets {
         if N::CYLINDERS {
             self.pass_columns::<N>(world, &four, &mut shadows);
         }
+        if N::PLANES {
+            pass_planes::<N>(world, &mut shadows);
+        }
         let left = self.pass_leaves::<N>(world, &four, lamp, &mut shadows);
         history.occluder = shadows.occluder;
         history.have_tested(shadows.asked);
@@ -210,6 +213,21 @@ impl Packets {
                             shadows.occluder = Some(item);
                         }
                     }
+                }
+            }
+        }
+    }
+}
+
+/// Asks the infinite planes.
+#[inline(always)]
+fn pass_planes<N: Needs>(world: &World<'_, f32>, shadows: &mut Shadows) {
+    for (i, plane) in (0..).zip(world.scene.planes) {
+        for k in Bits(shadows.open) {
+            if plane.intersect(&shadows.rays.lane(k), lane(&shadows.t_max, k)).is_some() {
+                match transmitted::<_, N>(&plane.material) {
+                    Some(kt) => one_mut(&mut shadows.filters, k).add(Object::Plane(i), kt),
+                    None => shadows.open &= !(1 << k),
                 }
             }
         }

@@ -46,7 +46,10 @@ impl Ray4 {
         let (normal, zero) = (Vec3x4::splat(triangle.normal), Vec4::ZERO);
         let vertices = triangle.vertices.map(|vertex| Vec3x4::splat(vertex) - self.origin);
         let (height, cosine) = (vertices[0].dot(normal), normal.dot(self.direction));
-        let is_ahead = (cosine.cmpgt(zero) & height.cmpgt(zero)) | (cosine.cmplt(zero) & height.cmplt(zero));
+        let mut is_ahead = cosine.cmplt(zero) & height.cmplt(zero);
+        if !triangle.one_sided {
+            is_ahead |= cosine.cmpgt(zero) & height.cmpgt(zero);
+        }
         if !is_ahead.any() {
             return (is_ahead, zero);
         }

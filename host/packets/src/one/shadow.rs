@@ -51,6 +51,16 @@ pub(super) fn is_open<S: ToF32, N: Needs>(
             }
         }
     }
+    if N::PLANES {
+        for (i, plane) in (0..).zip(world.scene.planes) {
+            if plane.intersect(ray, t_max).is_some() {
+                match transmitted::<S, N>(&plane.material) {
+                    Some(kt) => filters.add(Object::Plane(i), kt),
+                    None => return false,
+                }
+            }
+        }
+    }
     let mut found = None;
     if packets.nodes.is_empty() {
         found = opaque_of::<S, N>(world, &packets.leaves, (ray, t_max, &query), filters);

@@ -5,7 +5,7 @@
 
 use fastrand::Rng;
 use rta_scenes::description::{
-    Camera, Cone, Cylinder, Description, Ellipsoid, Floor, Lamp, Sphere, Surface, Triangle,
+    Camera, Cone, Cylinder, Description, Ellipsoid, Floor, Lamp, Plane, Sphere, Surface, Triangle,
 };
 use rta_scenes::{dat, shipped};
 
@@ -39,10 +39,18 @@ pub(crate) fn medley(count: usize, spread: f64, seed: u64) -> Description {
     let mut rng = Rng::with_seed(seed + 1);
     for sphere in scene.spheres.iter().filter(|sphere| sphere.radius > 0.02).step_by(2) {
         let (radius, position, color) = (sphere.radius, sphere.position, sphere.color);
+        let side = rng.u8(..4);
         let mut near = |size: f64| position.map(|c| c + size * radius * (2.0 * rng.f64() - 1.0));
         let (surface, line) = (Surface::Opaque, 0);
         let vertices = [near(2.0), near(2.0), near(2.0)];
-        scene.triangles.push(Triangle { vertices, normals: None, color, surface, line });
+        scene.triangles.push(Triangle {
+            vertices,
+            normals: None,
+            one_sided: side == 0,
+            color,
+            surface,
+            line,
+        });
         let [base, apex] = [near(2.0), near(2.0)];
         let radii = [radius, 0.2 * radius, 0.0];
         let (base_radius, apex_radius) = (radii[rng.usize(..2)], radii[rng.usize(..3)]);
@@ -59,7 +67,14 @@ pub(crate) fn medley(count: usize, spread: f64, seed: u64) -> Description {
             line,
         });
         let radii = [radius, 0.5 * radius, 0.7 * radius];
-        scene.ellipsoids.push(Ellipsoid { position: base, radii, color, surface, line });
+        scene.ellipsoids.push(Ellipsoid {
+            position: base,
+            radii,
+            inside_only: side == 1,
+            color,
+            surface,
+            line,
+        });
     }
     scene
 }
@@ -103,7 +118,14 @@ pub(crate) fn clusters(seed: u64) -> Description {
         let radius = size * (0.02 + 0.2 * rng.f64());
         let (color, surface, line) = ([0.3 + 0.6 * rng.f64(), 0.5, 0.7], surface(rng), 0);
         match rng.u8(..6) {
-            0 => scene.triangles.push(Triangle { vertices: [a, b, c], normals: None, color, surface, line }),
+            0 => scene.triangles.push(Triangle {
+                vertices: [a, b, c],
+                normals: None,
+                one_sided: number % 3 == 0,
+                color,
+                surface,
+                line,
+            }),
             1 => scene.cones.push(Cone {
                 base: a,
                 base_radius: 0.3 * radius,
@@ -117,17 +139,35 @@ pub(crate) fn clusters(seed: u64) -> Description {
             }),
             2 => {
                 let radii = [radius, 0.6 * radius, 0.8 * radius];
-                scene.ellipsoids.push(Ellipsoid { position: a, radii, color, surface, line });
+                scene.ellipsoids.push(Ellipsoid {
+                    position: a,
+                    radii,
+                    inside_only: number % 3 == 0,
+                    color,
+                    surface,
+                    line,
+                });
             }
             _ => scene.spheres.push(Sphere { position: a, radius, color, surface, line }),
         }
+    }
+    for _ in 0..seed % 4 / 2 * (1 + seed % 2) {
+        let (point, normal) = (about([0.0; 3], spread, rng), about([0.0; 3], 1.0, rng));
+        scene.planes.push(Plane { point, normal, color: [0.5; 3], surface: surface(rng), line: 0 });
     }
     if rng.bool() {
         let (wide, z) = (8.0 * spread, -spread);
         let [a, b, c, d] = [[-wide, -wide, z], [wide, -wide, z], [wide, wide, z], [-wide, wide, z]];
         for vertices in [[a, b, c], [a, c, d]] {
             let (color, surface) = ([0.5; 3], surface(rng));
-            scene.triangles.push(Triangle { vertices, normals: None, color, surface, line: 0 });
+            scene.triangles.push(Triangle {
+                vertices,
+                normals: None,
+                one_sided: false,
+                color,
+                surface,
+                line: 0,
+            });
         }
     }
     if rng.u8(..4) == 0 {

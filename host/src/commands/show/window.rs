@@ -54,7 +54,8 @@ pub fn run(args: &ShowArgs) -> Result<(), Error> {
     args.tracing.request(args.device).raster()?;
     let path = args.scene.as_deref();
     let watch = path.map(Watch::new);
-    let scene = path.map_or_else(SceneFile::juggler, SceneFile::open)?;
+    let reading = args.tracing.reading.into();
+    let scene = path.map_or_else(SceneFile::juggler, |path| SceneFile::open_as(path, reading))?;
     let request = args.tracing.request_for(args.device, &scene)?;
     let (size, aspect) = request.raster()?;
     let stop = interrupt::watch();

@@ -91,8 +91,9 @@ impl Case {
     /// Returns the number of objects, without floor and lamps.
     #[must_use]
     pub fn objects(&self) -> usize {
-        let Description { cylinders, ellipsoids, spheres, cones, triangles, .. } = &self.scene.description;
-        cylinders.len() + ellipsoids.len() + spheres.len() + cones.len() + triangles.len()
+        let Description { cylinders, ellipsoids, spheres, cones, triangles, planes, .. } =
+            &self.scene.description;
+        cylinders.len() + ellipsoids.len() + spheres.len() + cones.len() + triangles.len() + planes.len()
     }
 
     /// Returns a black picture to trace into.

@@ -61,7 +61,14 @@ impl Add for Description {
         self
     }
     fn egg(mut self, position: Triple, radii: Triple, surface: Surface) -> Self {
-        self.ellipsoids.push(Ellipsoid { position, color: GREY, radii, surface, line: 0 });
+        self.ellipsoids.push(Ellipsoid {
+            position,
+            color: GREY,
+            radii,
+            inside_only: false,
+            surface,
+            line: 0,
+        });
         self
     }
     fn column(mut self, [x, y]: [f64; 2], radius: f64, surface: Surface) -> Self {

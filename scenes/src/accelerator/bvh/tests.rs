@@ -30,7 +30,14 @@ fn random(count: usize, seed: u64) -> Description {
             0 => scene.spheres.push(Sphere { position: a, radius, color, surface, line }),
             1 => {
                 let radii = [radius, 0.3 * radius, 0.7 * radius];
-                scene.ellipsoids.push(Ellipsoid { position: a, radii, color, surface, line });
+                scene.ellipsoids.push(Ellipsoid {
+                    position: a,
+                    radii,
+                    inside_only: false,
+                    color,
+                    surface,
+                    line,
+                });
             }
             2 => scene.cones.push(Cone {
                 base: a,
@@ -44,7 +51,14 @@ fn random(count: usize, seed: u64) -> Description {
                 line,
             }),
             _ => {
-                scene.triangles.push(Triangle { vertices: [a, b, c], normals: None, color, surface, line });
+                scene.triangles.push(Triangle {
+                    vertices: [a, b, c],
+                    normals: None,
+                    one_sided: false,
+                    color,
+                    surface,
+                    line,
+                });
             }
         }
     }
@@ -80,7 +94,7 @@ fn farthest(scene: &Description, object: Object, from: [f64; 3]) -> f64 {
             most(&mut disc(cone.base, cone.base_radius).chain(disc(cone.apex, cone.apex_radius)))
         }
         Object::Triangle(i) => most(&mut scene.triangles[i as usize].vertices.into_iter()),
-        Object::Floor | Object::Cylinder(_) | Object::Lamp(_) => {
+        Object::Floor | Object::Cylinder(_) | Object::Plane(_) | Object::Lamp(_) => {
             panic!("{object} has no place in a hierarchy")
         }
     }

@@ -19,23 +19,17 @@ fn each_wrong_piece_is_named_with_its_place() {
     let cases = [
         (2, "b 1 -1 1", "2:5: expected the green of the background (a number >= 0), found -1"),
         (2, "b 1 1", "3:1: expected the blue of the background (a number >= 0), found \"v\", not a number"),
-        (2, "s 1 1 1 1", "2:1: expected a fill (f) before the first object, found \"s\""),
-        (2, "pp 3", "2:1: expected a fill (f) before the first object, found \"pp\""),
         (
             2,
-            "x 1",
-            "2:1: expected an entity (one of v, b, l, f, s, c, p and pp) or the end of the file, found \"x\"",
+            "xy 1",
+            "2:1: expected an entity (one of v, b, l, f, s, c, p and pp) or the end of the file, found \"xy\"",
         ),
         (
             2,
             "b 1 1 1 1",
             "2:9: expected an entity (one of v, b, l, f, s, c, p and pp) or the end of the file, found 1",
         ),
-        (
-            2,
-            "V",
-            "2:1: expected an entity (one of v, b, l, f, s, c, p and pp) or the end of the file, found \"V\"",
-        ),
+        (2, "V", "3:1: expected the word \"from\" of the viewpoint, found \"v\""),
         (4, "eye 1 2 3", "4:1: expected the word \"from\" of the viewpoint, found \"eye\""),
         (4, "1 2 3", "4:1: expected the word \"from\" of the viewpoint, found 1"),
         (4, "from 1 2 nan", "4:10: expected the z of from (a number), found nan, not a finite number"),
@@ -105,7 +99,30 @@ fn each_wrong_piece_is_named_with_its_place() {
     ];
     for (line, text, message) in cases {
         let error = error_of(with_line(line, text));
-        assert_eq!(error, format!("s.nff:{message}"), "{text}");
+        assert_eq!(error.split("; ").next(), Some(&*format!("s.nff:{message}")), "{text}");
+    }
+}
+
+#[test]
+fn entities_that_are_too_short_or_too_long_are_told_where_they_begin() {
+    for (line, text, note) in [
+        (13, "s 1 2 3", "the sphere that begins in line 13 has 3 of 4 numbers"),
+        (13, "s", "the sphere that begins in line 13 has 0 of 4 numbers"),
+        (16, "c 0 0 1", "the cone that begins in line 16 has 7 of 8 numbers"),
+        (12, "f 1 1 1", "the fill that begins in line 12 has 3 of 8 numbers"),
+        (10, "l 1 2", "the light that begins in line 10 has 2 of 3 numbers"),
+        (10, "l 1 2 3 4", "the light that begins in line 10 has 4 of 6 numbers"),
+        (19, "p 5", "the polygon that begins in line 19 has 13 of 16 numbers"),
+        (27, "0 1 0", "the polygon that begins in line 24 has 16 of 19 numbers"),
+        (15, "s 4 5 6 -2 7", "the sphere that begins in line 15 has 4 numbers and no more"),
+        (2, "b 1 1 1 1", "the background that begins in line 2 has 3 numbers and no more"),
+    ] {
+        let error = error_of(with_line(line, text));
+        assert!(error.ends_with(&format!("; {note}")), "{error}");
+    }
+    // What is wrong in itself is not too short.
+    for (line, text) in [(13, "s 1 2 3 0"), (2, "xy 1"), (7, "angle 200"), (19, "p 2")] {
+        assert!(!error_of(with_line(line, text)).contains("; "));
     }
 }
 

@@ -31,7 +31,14 @@ fn doubled() -> Description {
         let (position, color, line) = ([x, 9.0, 1.0], COLOR, 0);
         scene.spheres.push(Sphere { position, radius: 0.4, color, surface, line });
         let position = [x, 9.0, 2.0];
-        scene.ellipsoids.push(Ellipsoid { position, radii: [0.4, 0.3, 0.2], color, surface, line });
+        scene.ellipsoids.push(Ellipsoid {
+            position,
+            radii: [0.4, 0.3, 0.2],
+            inside_only: false,
+            color,
+            surface,
+            line,
+        });
         scene.cones.push(Cone {
             base: [x, 9.0, 2.6],
             base_radius: 0.4,
@@ -44,7 +51,7 @@ fn doubled() -> Description {
             line,
         });
         let vertices = [[x, 9.0, 4.0], [x + 0.8, 9.0, 4.0], [x, 9.0, 4.8]];
-        scene.triangles.push(Triangle { vertices, normals: None, color, surface, line });
+        scene.triangles.push(Triangle { vertices, normals: None, one_sided: false, color, surface, line });
     }
     let copy = scene.clone();
     scene.spheres.extend(copy.spheres);
@@ -53,7 +60,7 @@ fn doubled() -> Description {
     scene.triangles.extend(copy.triangles);
     // In the floor, where the floor is seen.
     let vertices = [[0.0, 3.0, 0.0], [4.0, 3.0, 0.0], [0.0, 7.0, 0.0]];
-    let triangle = Triangle { vertices, normals: None, color: COLOR, surface, line: 0 };
+    let triangle = Triangle { vertices, normals: None, one_sided: false, color: COLOR, surface, line: 0 };
     scene.triangles.push(triangle);
     scene.floor = Some(Floor { colors: [COLOR; 2] });
     scene
@@ -114,7 +121,14 @@ fn glasses(count: u32) -> Description {
         match i % 5 {
             0 => {
                 let vertices = [[-1.0, y, 0.0], [1.0, y, 0.0], [0.0, y, 3.0]];
-                scene.triangles.push(Triangle { vertices, normals: None, color, surface, line });
+                scene.triangles.push(Triangle {
+                    vertices,
+                    normals: None,
+                    one_sided: false,
+                    color,
+                    surface,
+                    line,
+                });
             }
             1 => scene.spheres.push(Sphere { position: [0.1, y, 1.0], radius: 0.7, color, surface, line }),
             2 => scene.cones.push(Cone {
@@ -130,7 +144,14 @@ fn glasses(count: u32) -> Description {
             }),
             3 => {
                 let (position, radii) = ([0.1, y, 1.0], [0.5, 0.8, 0.6]);
-                scene.ellipsoids.push(Ellipsoid { position, radii, color, surface, line });
+                scene.ellipsoids.push(Ellipsoid {
+                    position,
+                    radii,
+                    inside_only: false,
+                    color,
+                    surface,
+                    line,
+                });
             }
             _ => {
                 scene.cylinders.push(Cylinder { position: [0.1, y, 0.0], radius: 0.5, color, surface, line });

@@ -1,0 +1,40 @@
+//! Where in its source the things of a scene begin.
+
+use rta_core::scene::Object;
+
+use crate::description::Description;
+
+impl Description {
+    /// Returns the line of the source where an object begins, from 1, if it has one.
+    #[must_use]
+    pub fn line_of(&self, object: Object) -> Option<u32> {
+        fn of<T>(list: &[T], number: u32, line: impl Fn(&T) -> u32) -> Option<u32> {
+            list.get(usize::try_from(number).ok()?).map(line)
+        }
+        let line = match object {
+            Object::Cylinder(i) => of(&self.cylinders, i, |cylinder| cylinder.line),
+            Object::Ellipsoid(i) => of(&self.ellipsoids, i, |ellipsoid| ellipsoid.line),
+            Object::Sphere(i) => of(&self.spheres, i, |sphere| sphere.line),
+            Object::Cone(i) => of(&self.cones, i, |cone| cone.line),
+            Object::Triangle(i) => of(&self.triangles, i, |triangle| triangle.line),
+            Object::Plane(i) => of(&self.planes, i, |plane| plane.line),
+            Object::Lamp(i) => of(&self.lamps, i, |lamp| lamp.line),
+            Object::Floor => None,
+        };
+        line.filter(|line| *line > 0)
+    }
+
+    /// Returns the scene with every `line` set to 0 and without warnings: two files say the same if these are equal.
+    #[must_use]
+    pub fn without_lines(mut self) -> Self {
+        self.cylinders.iter_mut().for_each(|cylinder| cylinder.line = 0);
+        self.ellipsoids.iter_mut().for_each(|ellipsoid| ellipsoid.line = 0);
+        self.spheres.iter_mut().for_each(|sphere| sphere.line = 0);
+        self.cones.iter_mut().for_each(|cone| cone.line = 0);
+        self.triangles.iter_mut().for_each(|triangle| triangle.line = 0);
+        self.planes.iter_mut().for_each(|plane| plane.line = 0);
+        self.lamps.iter_mut().for_each(|lamp| lamp.line = 0);
+        self.warnings.clear();
+        self
+    }
+}

@@ -1,0 +1,12 @@
+//! What a reader may do with a file that its format leaves open.
+
+/// How a scene file is read where its format leaves that open.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Reading {
+    /// Whether lines that begin with no entity of the format are passed over, each with a warning. Otherwise they are an
+    /// error, but for those that cannot hold an object.
+    pub lenient: bool,
+    /// Whether polygons of NFF are seen only from where their corners run counterclockwise, as the format has it. Many files
+    /// do not care, so that half of a mesh would be missing: without it they are seen from both sides.
+    pub one_sided: bool,
+}
