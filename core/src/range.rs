@@ -8,6 +8,8 @@
 //!   the bound of [`Quantity::Distance`]. A vertical cylinder is visible up to [`Limits::cylinder_end`].
 //! - The floor is infinite. Its places are lit up to the distance [`Limits::floor_end`] from a ray's origin, the room that the
 //!   format has left: the bound of [`Quantity::Reach`]. Only shadow rays start there.
+//! - Other planes are infinite too. Their places lie within [`Plane::reach`](crate::shape::Plane::reach) of their centres, so
+//!   that each counts as a disc of that radius.
 //! - Components of unit vectors are at most 1 plus some rounding; a ray's weight is a product of reflectances.
 //! - Radiances saturate, on purpose: their row names the largest.
 //!

@@ -94,14 +94,12 @@ impl<S: ToF32> Accelerator<S> for &Packets {
                 }
             }
         }
-        if N::PLANES {
-            for (i, plane) in (0..).zip(world.scene.planes) {
-                let found = plane.intersect(ray, best.limit);
-                let hit = found.map(|distance| Hit { distance, object: Object::Plane(i) });
-                if let Some(distance) = hit.and_then(|hit| best.offer(hit)) {
-                    query.shorten(distance);
-                }
-            }
+        if N::PLANES
+            && !world.scene.planes.is_empty()
+            && let Some(hit) = nearest_plane(world, ray, best.limit)
+            && let Some(distance) = best.offer(hit)
+        {
+            query.shorten(distance);
         }
         if self.nodes.is_empty() {
             closest_of::<S, N>(world, &self.leaves, ray, &mut query, &mut best);
@@ -152,6 +150,19 @@ fn closest_of_lists<S: ToF32, N: Needs>(world: &World<'_, S>, ray: &Ray<S>) -> O
 pub(crate) fn through_lists<S: ToF32, N: Needs>(world: &World<'_, S>, ray: &Ray<S>, t_max: S) -> S::Unit {
     let ray = world.ray::<N>(ray.origin, ray.direction);
     Lists.transmittance::<N>(world, &ray, t_max, 0, &mut ())
+}
+
+/// Returns the nearest hit of an infinite plane before `t_max`, the first in order if several are as near.
+#[inline(never)] // no ray of a scene without planes prepares for it
+pub(crate) fn nearest_plane<S: ToF32>(world: &World<'_, S>, ray: &Ray<S>, t_max: S) -> Option<Hit<S>> {
+    let mut nearest: Option<Hit<S>> = None;
+    for (i, plane) in (0..).zip(world.scene.planes) {
+        let limit = nearest.map_or(t_max, |nearest| nearest.distance);
+        if let Some(distance) = plane.intersect(ray, limit) {
+            nearest = Some(Hit { distance, object: Object::Plane(i) });
+        }
+    }
+    nearest
 }
 
 /// Returns the distance of a cylinder that is hit nearer than `t_max`, and the part of a shadow ray's light it lets through, if

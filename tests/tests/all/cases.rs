@@ -218,3 +218,26 @@ fn dialects_are_drawn() {
         });
     }
 }
+
+/// The annotated scenes of the page about scene files are scenes, and nothing is to be said of them.
+#[test]
+fn the_scenes_of_the_page_are_drawn() {
+    let page = include_str!("../../../scenes/README.md");
+    let blocks: Vec<_> =
+        page.split("```text\n").skip(1).filter_map(|rest| rest.split("```").next()).collect();
+    let [dat, nff, error] = blocks[..] else { panic!("{} blocks", blocks.len()) };
+    for (text, name, objects) in [(dat, "page.dat", 4), (nff, "page.nff", 5)] {
+        let scene = rta_scenes::read(text.as_bytes(), name).unwrap_or_else(|error| panic!("{error}"));
+        assert!(scene.warnings.is_empty(), "{:?}", scene.warnings);
+        let Description { cylinders, ellipsoids, spheres, cones, triangles, .. } = &scene;
+        let count = cylinders.len() + ellipsoids.len() + spheres.len() + cones.len() + triangles.len();
+        assert_eq!(count, objects, "{name}");
+        for &format in Format::ALL {
+            assert!(render(&scene, &settings(format)).is_ok(), "{name} in {format}");
+        }
+    }
+    // The error is the one that such a file gives.
+    let file = "\n".repeat(9) + "f 1 1 1 1 0 1 0 1 s 0 0 0 1 s 0 0 0 1\ns 1 2 3\n    s 0 0 0 1";
+    let got = rta_scenes::read(file.as_bytes(), "scene.nff").expect_err("a sphere is short");
+    assert_eq!(got.to_string(), error.trim_end());
+}

@@ -13,7 +13,7 @@ use super::packet::RayPacket;
 use super::vector::{lane, mask, one, one_mut, set};
 use crate::cache::ShadowCache;
 use crate::leaf::{Bits, Sphere4, index};
-use crate::one::distance;
+use crate::one::{distance, nearest_plane};
 use crate::packets::Packets;
 
 /// The nearest hits of four rays.
@@ -118,15 +118,13 @@ impl Packets {
                 }
             }
         }
-        if N::PLANES {
-            for (i, plane) in (0..).zip(world.scene.planes) {
-                for r in Bits(there) {
-                    if let Some(distance) = plane.intersect(&rays.lane(r), nearest.limit(r)) {
-                        nearest.offer_one(r, Hit { distance, object: Object::Plane(i) });
-                        four.shorten(nearest.distance);
-                    }
+        if N::PLANES && !world.scene.planes.is_empty() {
+            for k in Bits(there) {
+                if let Some(hit) = nearest_plane(world, &rays.lane(k), nearest.limit(k)) {
+                    nearest.offer_one(k, hit);
                 }
             }
+            four.shorten(nearest.distance);
         }
         if self.nodes.is_empty() {
             for leaf in &self.leaves {
