@@ -35,7 +35,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     for (suffix, format) in [("q16", Format::Q16), ("f32", Format::F32)] {
         let recipe = Recipe { model: Model::Whitted, ..Recipe::new(format) };
         write(&format!("solids_{suffix}"), "scenes/solids.nff", &recipe)?;
-        write(&format!("kinds_{suffix}"), "scenes/cases/kinds.nff", &recipe)?;
+        write(&format!("kinds_{suffix}"), "scenes/kinds.nff", &recipe)?;
         write(&format!("balls_2_{suffix}"), "../scenes/balls2.nff", &recipe)?;
     }
     write("glass_2_f64", "../scenes/glass-2.dat", &Recipe::new(Format::F64))

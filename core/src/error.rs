@@ -10,11 +10,11 @@ use crate::range::RangeError;
 pub enum Error {
     /// The scene does not fit the number format.
     Range(RangeError),
-    /// The recursion depth exceeds the capacity of the ray stack.
+    /// The recursion depth exceeds the capacity of the ray stack, or the weight of a ray may not fit the number format there.
     Depth {
         /// The depth that was asked for.
         depth: u32,
-        /// The greatest depth for which there is room.
+        /// The greatest depth for which there is room, and at which weights fit.
         capacity: usize,
     },
     /// A side of the raster is 0 or too long.
@@ -37,7 +37,10 @@ impl fmt::Display for Error {
         match self {
             Self::Range(error) => error.fmt(f),
             Self::Depth { depth, capacity } => {
-                write!(f, "a recursion depth of {depth} exceeds the ray stack's capacity of {capacity}")
+                write!(
+                    f,
+                    "a recursion depth of {depth} exceeds {capacity}, the deepest for this stack and this scene"
+                )
             }
             Self::Raster { width, height } => {
                 let most = u16::MAX;

@@ -5,12 +5,13 @@
 //!
 //! - Eye, objects and lamps lie in a box and in a ball. A ray starts at the eye or on an object and ends on an object or at
 //!   a lamp, so no two places that are ever subtracted are farther apart than the box's diagonal or the ball's diameter:
-//!   the bound of [`Quantity::Distance`]. A vertical cylinder is visible up to [`Limits::cylinder_end`].
+//!   the bound of [`Quantity::Distance`]. A vertical cylinder is lit up to [`Limits::cylinder_end`].
 //! - The floor is infinite. Its places are lit up to the distance [`Limits::floor_end`] from a ray's origin, the room that the
 //!   format has left: the bound of [`Quantity::Reach`]. Only shadow rays start there.
+//! - Components of unit vectors are at most 1 plus some rounding; a ray's weight is a product of reflectances, one for each level
+//!   of its depth: [`Limits::depth`] is the deepest that fits.
 //! - Other planes are infinite too. Their places lie within [`Plane::reach`](crate::shape::Plane::reach) of their centres, so
 //!   that each counts as a disc of that radius.
-//! - Components of unit vectors are at most 1 plus some rounding; a ray's weight is a product of reflectances.
 //! - Radiances saturate, on purpose: their row names the largest.
 //!
 //! All other intermediate results are differences, rounded products or roots of these; 64-bit sums have their own row.
@@ -89,13 +90,36 @@ impl Worst {
     }
 }
 
-/// The proof: its rows, and the limits for which they were computed.
+/// Returns a bound of the largest register of a colour.
+fn strongest<U: Unit>(Rgb { r, g, b }: Rgb<U>) -> Magnitude {
+    r.size().max(g.size()).max(b.size())
+}
+
+/// Returns the bound of the weight of a ray of this depth, of which each surface sends on no more than that part.
+fn weight<U: Unit>(Worst(part, object): Worst, depth: u8) -> Bound {
+    let bound = (0..depth).fold(U::ONE.size(), |weight, _| weight.times(part));
+    Bound { quantity: Quantity::Weight(depth), bound, limit: U::LARGEST, object }
+}
+
+/// Returns the greatest depth at which the weight of a ray is within its limit.
+fn deepest<U: Unit>(part: Magnitude) -> u8 {
+    let mut weight = U::ONE.size();
+    let fits = |_: &u8| {
+        weight = weight.times(part);
+        weight <= U::LARGEST
+    };
+    (1..=u8::MAX).take_while(fits).last().unwrap_or(0)
+}
+
+/// The proof: its rows, the limits for which they were computed, and whether they hold.
 #[derive(Clone, Copy, Debug)]
 pub struct Proof<S> {
     /// One row for each [`Quantity`].
-    pub bounds: [Bound; 12],
-    /// How far floor and vertical cylinders are seen and lit.
+    pub bounds: [Bound; 13],
+    /// How far floor and vertical cylinders are seen and lit, and how deep rays may go.
     pub limits: Limits<S>,
+    /// Why the scene is refused, if it is.
+    pub refused: Option<RangeError>,
 }
 
 impl<'a, S: Scalar> Scene<'a, S> {
@@ -117,10 +141,9 @@ impl<'a, S: Scalar> Scene<'a, S> {
         camera: &Camera<S>,
         accelerator: A,
     ) -> Result<Admitted<'a, S, A>, RangeError> {
-        self.check_signs()?;
         let proof = self.prove_with(camera, &accelerator);
-        if let Some(row) = proof.bounds.iter().find(|row| !row.holds()) {
-            return Err(RangeError::Exceeds(*row));
+        if let Some(error) = proof.refused {
+            return Err(error);
         }
         // Only after the proof may the distances between nodes and objects be computed.
         accelerator.check(&self).map_err(|WrongNode(node)| RangeError::Hierarchy(node))?;
@@ -141,6 +164,31 @@ impl<'a, S: Scalar> Scene<'a, S> {
         for color in self.floor.iter().flat_map(|floor| floor.colors) {
             see(Object::Floor, color, &Material::Opaque);
         }
+    }
+
+    /// Returns the bound of the weight of a ray of this depth: a ray carries a factor for each surface that it left, and two mirrors
+    /// face to face reach it.
+    pub fn weight(&self, depth: u8) -> Bound {
+        weight::<S::Unit>(self.heaviest(), depth)
+    }
+
+    /// Returns the largest part of its light that a surface sends on, 1 at least, and the surface.
+    fn heaviest(&self) -> Worst {
+        let one = S::Unit::ONE.size();
+        let mut weight = Worst(one, None);
+        self.surfaces(|object, color, material| {
+            let strongest = strongest(color);
+            let part = match material {
+                Material::Mirror => strongest,
+                Material::Transparent(glass) => strongest.times(glass.ks.size()).plus(glass.kt.size()),
+                Material::Finish(Finish { glass, .. }) => {
+                    strongest.max(one).times(glass.ks.size()).plus(glass.kt.size())
+                }
+                Material::Opaque | Material::Shiny => return,
+            };
+            weight.see(part, Some(object));
+        });
+        weight
     }
 
     fn check_signs(&self) -> Result<(), RangeError> {
@@ -177,26 +225,14 @@ impl<'a, S: Scalar> Scene<'a, S> {
         let farthest = widest.plus(floor_end);
 
         let mut reflectance = Worst::NONE;
-        let mut weight = Worst::NONE;
-        self.surfaces(|object, color, material| {
-            let strongest =
-                [color.r, color.g, color.b].iter().map(|c| c.size()).fold(Magnitude::ZERO, Magnitude::max);
-            reflectance.see(strongest, Some(object));
-            let part = match material {
-                Material::Mirror => strongest,
-                Material::Transparent(glass) => strongest.times(glass.ks.size()).plus(glass.kt.size()),
-                Material::Finish(Finish { glass, .. }) => {
-                    strongest.max(S::Unit::ONE.size()).times(glass.ks.size()).plus(glass.kt.size())
-                }
-                Material::Opaque | Material::Shiny => return,
-            };
-            weight.see(part, Some(object));
-        });
-        // Parts of ks + kt = 1 within 1e-6, and roundings, do not make a weight grow: 255 of them are below 1.001.
+        self.surfaces(|object, color, _| reflectance.see(strongest(color), Some(object)));
         let one = S::Unit::ONE.size();
-        let harmless = one.plus(one.shift(-18));
-        if weight.0 > harmless {
-            weight.0 = (0..8).fold(weight.0, |power, _| power.times(power));
+        let heaviest = self.heaviest();
+        let depth = deepest::<S::Unit>(heaviest.0);
+        let weight = weight::<S::Unit>(heaviest, depth);
+        let mut seen_cylinders = Worst::NONE;
+        if !self.cylinders.is_empty() {
+            seen_cylinders.see(cylinder_end, Some(Object::Cylinder(0)));
         }
         let mut thinness = Worst(one, None);
         let mut smallest: Option<(Magnitude, Object)> = None;
@@ -234,12 +270,13 @@ impl<'a, S: Scalar> Scene<'a, S> {
             row(Quantity::Coordinate, coordinate, largest),
             row(Quantity::Distance, distance, most),
             row(Quantity::Reach, nobody(farthest), largest),
+            row(Quantity::CylinderEnd, seen_cylinders, largest),
             row(Quantity::Square, nobody(farthest.times(farthest)), S::LARGEST_SQUARE),
             row(Quantity::Product, nobody(farthest.plus(farthest)), S::LARGEST_PRODUCT),
             row(Quantity::Component, Worst(one.plus(one.shift(-24)), None), unit),
             row(Quantity::ImagePlane, Worst(image, None), unit),
             row(Quantity::Reflectance, reflectance, unit),
-            row(Quantity::Weight, weight, unit),
+            weight,
             row(Quantity::Thinness, thinness, S::LARGEST_STRETCH),
             match smallest {
                 Some((radius, object)) => {
@@ -249,7 +286,10 @@ impl<'a, S: Scalar> Scene<'a, S> {
             },
             row(Quantity::Radiance, radiance, S::Light::LARGEST),
         ];
-        let limits = Limits { floor_end: S::at_most(floor_end), cylinder_end: S::at_most(cylinder_end) };
-        Proof { bounds, limits }
+        let (floor_end, cylinder_end) = (S::at_most(floor_end), S::at_most(cylinder_end));
+        let limits = Limits { floor_end, cylinder_end, depth };
+        let exceeds = || bounds.iter().find(|row| !row.holds()).map(|row| RangeError::Exceeds(*row));
+        let refused = self.check_signs().err().or_else(exceeds);
+        Proof { bounds, limits, refused }
     }
 }

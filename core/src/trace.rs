@@ -13,7 +13,7 @@ use core::marker::PhantomData;
 
 use heapless::Vec;
 
-use decision::{Branch, Start, branch, direct, refract};
+use decision::{Branch, Start, branch, casts_shadow_ray, direct, refract};
 pub use observer::Observer;
 
 use crate::accelerator::{Accelerator, Lists};
@@ -70,11 +70,12 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Acceler
     /// of depth `depth` spawns no secondary rays.
     ///
     /// # Errors
-    /// [`Error::Depth`] where `depth` exceeds the capacity `STACK`.
+    /// [`Error::Depth`] where `depth` exceeds the capacity `STACK` or the scene's [`Limits::depth`](crate::scene::Limits::depth).
     pub fn new(scene: Admitted<'a, S, A>, model: M, depth: u32) -> Result<Self, Error> {
-        let error = Error::Depth { depth, capacity: STACK };
+        let capacity = STACK.min(usize::from(scene.limits.depth));
+        let error = Error::Depth { depth, capacity };
         let depth = u8::try_from(depth).map_err(|_| error)?;
-        if usize::from(depth) > STACK {
+        if usize::from(depth) > capacity {
             return Err(error);
         }
         Ok(Self { scene, model, depth, cutoff: S::Unit::ZERO, needs: PhantomData })
@@ -176,8 +177,8 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Acceler
         if A::WITH_PLAN { self.scene.ray::<N>(origin, direction) } else { Ray::new(origin, direction) }
     }
 
-    /// Returns the part of a lamp's light that arrives at a surface, 0 to 1. Here it is decided whether a shadow ray is traced:
-    /// not where `light`, what the surface would send back, is dark anyway; then the result is 1.
+    /// Returns the part of a lamp's light that arrives at a surface, 0 to 1. `light` is what the surface would send back of it;
+    /// where [`casts_shadow_ray`] needs no shadow ray for it, the result is 1.
     #[cfg_attr(not(target_os = "none"), inline(always))]
     fn unshadowed<O: Observer<S> + ?Sized>(
         &self,
@@ -188,10 +189,11 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Acceler
         memory: &mut A::Memory,
         observer: &mut O,
     ) -> S::Unit {
-        if !N::SHADOWS || light == Rgb::BLACK {
+        if !casts_shadow_ray::<N, _>(light) {
             return S::Unit::ONE;
         }
-        let side = if incident.cosine <= S::Unit::ZERO { -surface.normal } else { surface.normal };
+        let side = surface.side::<N>();
+        let side = if surface.is_behind::<N>(incident) { -side } else { side };
         let (origin, used) = surface.point.leave(side, incident.direction, surface.extent);
         let start = Start { origin, direction: incident.direction };
         observer.shadow(number, &start);
@@ -209,16 +211,18 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Acceler
         pending: &mut Stack<S, M::Weight, STACK>,
         observer: &mut O,
     ) -> Option<Pending<S, M::Weight>> {
-        let start = |side, direction| {
-            let (origin, _) = surface.point.leave(side, direction, surface.extent);
+        let start = |direction, leaves: bool| {
+            let (side, direction) = (surface.side::<N>(), surface.fold::<N>(direction, leaves));
+            let (origin, _) =
+                surface.point.leave(if leaves { side } else { -side }, direction, surface.extent);
             Start { origin, direction }
         };
-        let reflected = || start(surface.normal, surface.incoming.reflect(surface.normal));
+        let reflected = || start(surface.incoming.reflect(surface.normal), true);
         let mut is_total = false;
         let refracted = |glass: &Glass<S>| {
             let direction = refract(surface, glass);
             is_total = direction.is_none();
-            direction.map(|direction| start(-surface.normal, direction))
+            direction.map(|direction| start(direction, false))
         };
         let place = (&parent.branch, self.cutoff);
         let [transmitted, reflected] = branch::<S, M, N>(&self.model, surface, place, reflected, refracted);

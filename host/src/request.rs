@@ -49,7 +49,8 @@ impl TracingArgs {
     /// they name none.
     #[must_use]
     pub fn request(&self, target: Target) -> Request {
-        let Self { format, depth, cutoff, table, size, aspect, fit, .. } = *self;
+        let Self { format, depth, cutoff, size, aspect, fit, .. } = *self;
+        let table = self.table.unwrap_or(TableKind::Tolerant);
         let model = self.model.unwrap_or(Model::Rta);
         let sampling = self.samples.sampling(self.jitter);
         Request { target, table, format, model, depth, cutoff, sampling, size, aspect, fit }
@@ -58,8 +59,11 @@ impl TracingArgs {
     /// Returns the request of these arguments for a picture of `scene` on `target`.
     ///
     /// # Errors
-    /// Those of [`Request::for_scene`].
+    /// [`RequestError::TableWithoutDevice`], and those of [`Request::for_scene`].
     pub fn request_for(&self, target: Target, scene: &SceneFile) -> Result<Request, RequestError> {
+        if target == Target::None && self.table.is_some() {
+            return Err(RequestError::TableWithoutDevice);
+        }
         self.request(target).for_scene(self.model, scene)
     }
 }
@@ -112,10 +116,16 @@ impl Request {
         Ok((size, aspect.ratio()))
     }
 
+    /// Returns how the scene is to be scaled for a screen of the shape `aspect : 1`.
+    #[must_use]
+    pub const fn fit(&self, aspect: f64) -> Fit {
+        Fit { format: self.format, aspect, model: Some(self.model), depth: self.depth, asked: self.fit }
+    }
+
     /// Makes the scene ready to be traced as asked. If it is scaled, a line on standard error says so.
     ///
     /// # Errors
-    /// Those of [`Request::raster`], and [`RequestError::Engine`].
+    /// Those of [`Request::raster`], [`RequestError::Refused`] and [`RequestError::Engine`].
     pub fn engine(&self, scene: &SceneFile) -> Result<Engine, RequestError> {
         let (size, aspect) = self.raster()?;
         let settings = Settings {
@@ -128,9 +138,9 @@ impl Request {
             cutoff: self.cutoff,
             sampling: self.sampling,
         };
-        let asked = Fit { format: self.format, aspect, model: Some(self.model), asked: self.fit };
-        let description = asked.scaled(scene);
-        Engine::new(&description, &settings).map_err(|source| asked.engine_error(scene, source))
+        let fit = self.fit(aspect);
+        let description = fit.scaled(scene);
+        Engine::new(&description, &settings).map_err(|source| fit.engine_error(scene, source))
     }
 
     /// Returns the text that is stored in a picture of `scene`.

@@ -1,11 +1,23 @@
-//! A scene made larger or smaller, so that it fits a number format.
+//! A scene made larger or smaller, so that it fits a number format, and fixed point has enough steps for it.
+//!
+//! What a picture in fixed point is wrong by falls with the scale of its scene, as places are rounded to a step of the format;
+//! and nothing else of it grows as long as the scene is admitted. So the best scale is the largest that is admitted, and
+//! beyond [`ENOUGH`] steps it makes no difference, as directions are not finer than that.
 
 use core::fmt;
 
+use crate::accelerator::bounds::Bounds;
+use crate::accelerator::solid::solids;
 use crate::description::{Cone, Description, Lamp, Model, Triangle};
+use crate::format::Format;
+use crate::in_format;
+use crate::narrow::Narrow;
 
-/// The smallest and the largest factor that are tried, as powers of two.
-pub const EXPONENTS: core::ops::RangeInclusive<i32> = -40..=40;
+/// Steps of a fixed-point format, as a power of two: a scene with as many along its longest side gains nothing by a larger scale.
+pub const ENOUGH: f64 = 22.0;
+/// Scales that are tried, each half the one before. The first is beyond what any proof admits, and the bounds of the proof, which
+/// has spheres about cones and triangles, are at most 2 x 2 x sqrt(3) times the scene's longest side.
+const TRIED: i32 = 6;
 
 /// A scene has a floor, whose tiles have the size that they have.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -71,27 +83,95 @@ impl Description {
     }
 }
 
-/// The power of two nearest to 1 by which a scene has to be scaled so that it `fits`, the smaller of two that are as
-/// near; `None` if there is none within [`EXPONENTS`].
+/// What a scale does for a scene in a number format.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Fitted {
+    /// The scene is admitted, and no scale makes its picture more precise.
+    AsItIs,
+    /// The factor of the most precise picture, the scene scaled by it, and how many bits are gained by that; none are said to be
+    /// gained where the scene is not admitted as it is.
+    Scaled {
+        /// A power of two.
+        factor: f64,
+        /// The scene, so many times as large.
+        scene: Box<Description>,
+        /// How many times, as a power of two, the steps of the format become smaller in the scene, as far as that matters.
+        gain: Option<f64>,
+    },
+    /// The scene is not admitted at any scale.
+    Never,
+}
+
+/// Returns what a scale does for a scene in a number format, whose lamps are attenuated if the model is [`Model::Rta`]. A format
+/// of floating-point numbers has as many digits at each scale: there a scene is scaled only if it is not admitted as it is.
 ///
 /// # Errors
-/// [`FloorError`], unless it fits as it is.
-pub fn fit(scene: &Description, fits: impl Fn(&Description) -> bool) -> Result<Option<f64>, FloorError> {
-    if fits(scene) {
-        return Ok(Some(1.0));
+/// [`FloorError`], unless it is admitted as it is.
+pub fn fit(
+    scene: &Description,
+    model: Model,
+    format: Format,
+    admits: impl Fn(&Description) -> bool,
+) -> Result<Fitted, FloorError> {
+    let is_admitted = admits(scene);
+    let missing = missing(scene, format);
+    if is_admitted && missing <= 0.0 {
+        return Ok(Fitted::AsItIs);
     }
     if scene.floor.is_some() {
-        return Err(FloorError);
+        return if is_admitted { Ok(Fitted::AsItIs) } else { Err(FloorError) };
     }
+    let most = in_format!(format, S => most::<S>(scene, model));
+    let least = if is_admitted { 1 } else { most - TRIED };
     // One copy for all: powers of two do not round, and a scene may hold a million objects.
-    let (mut copy, mut last) = (scene.clone(), 1.0);
-    let larger = 1..=*EXPONENTS.end();
-    let mut factors = larger.flat_map(|exponent| [-exponent, exponent]).map(|exponent| 2_f64.powi(exponent));
-    Ok(factors.find(|&factor| {
-        copy.scale(factor / last);
-        last = factor;
-        fits(&copy)
-    }))
+    let mut copy = Description { model, ..scene.clone() };
+    copy.scale(2_f64.powi(most));
+    for exponent in (least.max(most - TRIED)..=most).rev() {
+        if admits(&copy) {
+            let gain = is_admitted.then(|| f64::from(exponent).min(missing));
+            copy.model = scene.model;
+            return Ok(Fitted::Scaled { factor: 2_f64.powi(exponent), scene: Box::new(copy), gain });
+        }
+        copy.scale(0.5);
+    }
+    Ok(if is_admitted { Fitted::AsItIs } else { Fitted::Never })
+}
+
+/// Returns how many bits a fixed-point format has too few for a scene at its own scale, as a power of two: more than 0 where its
+/// longest side has fewer steps than [`ENOUGH`]. In floating point, and where a scene has a floor or no extent, it is 0.
+#[must_use]
+pub fn missing(scene: &Description, format: Format) -> f64 {
+    let Some(step) = format.step().filter(|_| scene.floor.is_none()) else { return 0.0 };
+    let side = longest(&extent(scene));
+    if side > 0.0 { ENOUGH - (side / step).log2() } else { 0.0 }
+}
+
+/// Returns a box about the eye, all lamps and all objects; of a vertical cylinder, about the middle of it.
+fn extent(scene: &Description) -> Bounds {
+    let eye = Bounds::about(scene.camera.eye, [0.0; 3]);
+    let lamps = scene.lamps.iter().map(|lamp| Bounds::about(lamp.position, [lamp.radius; 3]));
+    let cylinders = scene.cylinders.iter().map(|c| {
+        let [x, y, _] = c.position;
+        Bounds::about([x, y, 0.0], [c.radius; 3])
+    });
+    let solids = solids(scene).into_iter().map(|solid| solid.bounds);
+    solids.chain(lamps).chain(cylinders).fold(eye, |all, bounds| all.with(&bounds))
+}
+
+fn longest(bounds: &Bounds) -> f64 {
+    bounds.low.iter().zip(bounds.high).map(|(low, high)| high - low).fold(0.0, f64::max)
+}
+
+/// Returns the exponent of a power of two that no larger scale is admitted than: neither can the distance between two places be
+/// more than three quarters of the format, nor a coordinate more than all of it, nor a lamp brighter than its limit.
+#[allow(clippy::cast_possible_truncation)] // within some thousand
+fn most<S: Narrow>(scene: &Description, model: Model) -> i32 {
+    let extent = extent(scene);
+    let by_place = (0.75 * S::largest() / longest(&extent)).min(S::largest() / extent.largest());
+    let strongest = scene.lamps.iter().flat_map(|lamp| lamp.color).fold(0.0, f64::max);
+    let by_light = if model == Model::Rta { (S::LARGEST_POWER / strongest).sqrt() } else { f64::INFINITY };
+    // More is of no use for numbers that are as good as 0, or 0 themselves.
+    by_place.min(by_light).log2().floor().clamp(-500.0, 500.0) as i32
 }
 
 #[cfg(test)]

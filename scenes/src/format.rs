@@ -49,6 +49,16 @@ impl Format {
 }
 
 impl Format {
+    /// Returns the step from one length to the next, where all steps are equal: in fixed point.
+    #[must_use]
+    pub const fn step(self) -> Option<f64> {
+        match self {
+            Self::F32 | Self::F64 => None,
+            Self::Q16 => Some(1.0 / 65_536.0),
+            Self::Q20 => Some(1.0 / 1_048_576.0),
+        }
+    }
+
     /// Returns the one after this one, in a circle.
     #[must_use]
     pub fn next(self) -> Self {

@@ -43,6 +43,7 @@ pub mod warning;
 pub use bake::bake;
 pub use format::Format;
 pub use model::Model;
+pub use numbers::Short;
 pub use reading::Reading;
 
 use std::path::Path;

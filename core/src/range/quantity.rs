@@ -15,6 +15,8 @@ pub enum Quantity {
     Distance,
     /// A distance to a place of the floor, and a coordinate of that place.
     Reach,
+    /// The height up to which vertical cylinders are seen, and down to its negative; 0 where there are none.
+    CylinderEnd,
     /// The square of a distance.
     Square,
     /// The sum of three products of a length with a unit, before it is rounded.
@@ -25,8 +27,8 @@ pub enum Quantity {
     ImagePlane,
     /// The reflectance of a surface.
     Reflectance,
-    /// The weight of a ray: a product of reflectances.
-    Weight,
+    /// The weight of a ray of this depth or a lesser one: a product of as many reflectances.
+    Weight(u8),
     /// The largest radius of an ellipsoid over its smallest.
     Thinness,
     /// Four times the distance by which a ray's origin is pushed off a surface; its limit is the smallest radius.
@@ -35,23 +37,23 @@ pub enum Quantity {
     Radiance,
 }
 
-impl Quantity {
-    /// Returns the name of the quantity for error messages.
-    pub const fn name(self) -> &'static str {
-        match self {
+impl fmt::Display for Quantity {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
             Self::Coordinate => "coordinate",
             Self::Distance => "distance between two places",
             Self::Reach => "distance to the floor's end",
+            Self::CylinderEnd => "height at which cylinders end",
             Self::Square => "squared distance",
             Self::Product => "sum of three products",
             Self::Component => "component of a unit vector",
             Self::ImagePlane => "component of the image plane",
             Self::Reflectance => "reflectance",
-            Self::Weight => "weight of a ray",
+            Self::Weight(depth) => return write!(f, "weight of a ray at depth {depth}"),
             Self::Thinness => "largest over smallest radius",
             Self::Clearance => "four times a ray's clearance",
             Self::Radiance => "radiance (saturates)",
-        }
+        })
     }
 }
 
@@ -72,6 +74,14 @@ impl Bound {
     /// Returns whether the bound is within the limit, or the quantity saturates.
     pub fn holds(&self) -> bool {
         self.bound <= self.limit || self.quantity == Quantity::Radiance
+    }
+
+    /// Returns nothing if the bound [holds](Bound::holds).
+    ///
+    /// # Errors
+    /// [`RangeError::Exceeds`] if it does not.
+    pub fn check(self) -> Result<(), RangeError> {
+        if self.holds() { Ok(()) } else { Err(RangeError::Exceeds(self)) }
     }
 }
 
@@ -106,7 +116,7 @@ impl fmt::Display for RangeError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Exceeds(Bound { quantity, bound, limit, object }) => {
-                let (object, quantity) = (Named(*object), quantity.name());
+                let object = Named(*object);
                 write!(
                     f,
                     "{object} is out of the number format's range: {quantity} {bound}, beyond the largest {limit}"

@@ -9,7 +9,7 @@ use crate::material::Glass;
 use crate::needs::Needs;
 use crate::ray::RayKind;
 use crate::scalar::vector::{UnitVec3, UnitVector, Vec3};
-use crate::scalar::{Scalar, Unit};
+use crate::scalar::{Light, Scalar, Unit};
 use crate::surface::Surface;
 
 /// Where a ray starts and where it goes.
@@ -49,8 +49,15 @@ pub fn direct<S: Scalar, M: Illumination<S>, N: Needs>(
     surface: &Surface<S>,
     incident: &Incident<S>,
 ) -> Rgb<S::Light> {
-    let is_behind = incident.cosine <= S::Unit::ZERO;
-    if is_behind && !M::BOTH_SIDES { Rgb::BLACK } else { model.direct::<N>(surface, incident) }
+    if !M::BOTH_SIDES && surface.is_behind::<N>(incident) {
+        return Rgb::BLACK;
+    }
+    model.direct::<N>(surface, incident)
+}
+
+/// Returns whether a shadow ray is traced to a lamp of which the surface would send back `light`: not where that is black.
+pub fn casts_shadow_ray<N: Needs, L: Light>(light: Rgb<L>) -> bool {
+    N::SHADOWS && light != Rgb::BLACK
 }
 
 /// A secondary ray that is to be traced, if there is one.

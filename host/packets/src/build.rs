@@ -5,13 +5,13 @@ mod light_buffer;
 mod window;
 
 use rta_core::scene::Object;
-use rta_core::vector::{UnitVec3, Vector};
+use rta_core::vector::Vector;
 use rta_scenes::accelerator::bounds::Bounds;
 use rta_scenes::accelerator::sah::{Costs, Tree, tree};
 use rta_scenes::accelerator::solid::{Solid, solids};
 use rta_scenes::description::Description;
 use rta_scenes::narrow::{Narrow, triangle};
-use rta_scenes::space::{difference, length};
+use rta_scenes::space::{cross, difference, dot, length, unit};
 
 use crate::leaf::{Boxes, Child, Column4, Cone4, LARGEST, MAX_DEPTH, Sphere4, Triangle4};
 use crate::number::ToF32;
@@ -20,8 +20,11 @@ use four::four;
 
 /// The number of objects up to which they are tested four by four as quickly as by a hierarchy.
 const FEW: usize = 8;
+/// The number of visible lamps up to which they are in one hierarchy with the objects. More have one of their own, so that a
+/// shadow ray, which no lamp stops, does not pass by them.
+const FEW_LAMPS: usize = 8;
 /// Measured: other costs change the instructions of a picture by 1 %, and these halve the number of leaves.
-const COSTS: Costs = Costs { pair: 1.4, object: 0.3, pack: 1.0, at_once: 4, leaf: 8 };
+const COSTS: Costs = Costs { pair: 1.4, object: 0.3, group: 1.0, at_once: 4, leaf: 8 };
 
 /// A sphere about an object.
 type Ball = ([f64; 3], f64);
@@ -31,6 +34,7 @@ impl Packets {
     #[must_use]
     pub fn build<S: Narrow + ToF32>(scene: &Description) -> Self {
         let mut solids = solids(scene);
+        let mut objects = solids.len();
         let lamps = scene.lamps.iter().zip(0..).filter(|(lamp, _)| lamp.radius > 0.0);
         solids.extend(lamps.map(|(lamp, i)| Solid::sphere(lamp.position, lamp.radius, Object::Lamp(i))));
         let feet =
@@ -62,21 +66,24 @@ impl Packets {
             maker.leaf(0, solids.len());
             return maker.built;
         }
-        let tree = tree(&mut solids, 0, 0, &COSTS);
-        maker.solids = &solids;
-        maker.built.leaves.reserve_exact(leaves(&tree));
-        if maker.emit(&tree, true) > MAX_DEPTH {
-            maker.built.nodes.clear();
-            maker.built.leaves.clear();
-            maker.built.cones.clear();
-            maker.built.triangles.clear();
-            maker.runs.clear();
-            maker.emit(&tree, false);
+        if solids.len() <= objects + FEW_LAMPS {
+            objects = solids.len();
         }
-        drop(tree);
+        let (first, last) = solids.split_at_mut(objects);
+        let mut trees = vec![tree(first, 0, 0, &COSTS)];
+        if !last.is_empty() {
+            trees.push(tree(last, objects, 0, &COSTS));
+        }
+        maker.solids = &solids;
+        maker.built.leaves.reserve_exact(trees.iter().map(leaves).sum());
+        if !maker.emit_all(&trees, true) {
+            maker.emit_all(&trees, false);
+        }
+        let occluders = trees.first().map_or(0, leaves);
+        drop(trees);
         let Maker { mut built, runs, .. } = maker;
         built.nodes.shrink_to_fit();
-        light_buffer::build::<S>(scene, solids, &runs, &mut built);
+        light_buffer::build::<S>(scene, solids, (&runs, occluders), &mut built);
         built
     }
 }
@@ -107,8 +114,8 @@ fn ball(scene: &Description, item: Object) -> Option<Ball> {
     })
 }
 
-/// Returns the axis and the largest radius of a cone.
-fn rod(scene: &Description, item: Object) -> Option<([f64; 3], f64)> {
+/// Returns axis and radius of the cylinder about a cone.
+fn bounding_cylinder(scene: &Description, item: Object) -> Option<([f64; 3], f64)> {
     let Object::Cone(i) = item else { return None };
     let cone = scene.cones.get(i as usize)?;
     let way = difference(cone.apex, cone.base);
@@ -117,14 +124,20 @@ fn rod(scene: &Description, item: Object) -> Option<([f64; 3], f64)> {
 }
 
 /// Returns the planes of a triangle in the picture's number format: corner, normal and three across the edges; and its heights.
-fn sheet<S: Narrow + ToF32>(scene: &Description, item: Object) -> Option<([[f32; 3]; 5], f32)> {
+fn triangle_planes<S: Narrow + ToF32>(scene: &Description, item: Object) -> Option<([[f32; 3]; 5], f32)> {
     let Object::Triangle(i) = item else { return None };
-    let triangle = triangle::narrow::<S>(0, scene.triangles.get(i as usize)?).ok()?;
-    let corner = [triangle.corner.x().to_f32(), triangle.corner.y().to_f32(), triangle.corner.z().to_f32()];
-    let way = |v: UnitVec3<S>| [v.x(), v.y(), v.z()].map(S::unit_to_f32);
-    let [first, second, third] = triangle.inward.map(way);
-    let [height, ..] = triangle.heights;
-    Some(([corner, way(triangle.normal), first, second, third], height.to_f32()))
+    let exact = scene.triangles.get(i as usize)?;
+    let triangle = triangle::narrow::<S>(0, exact).ok()?;
+    let [corner, ..] = triangle.vertices;
+    let corner = [corner.x(), corner.y(), corner.z()].map(S::to_f32);
+    let normal = [triangle.normal.x(), triangle.normal.y(), triangle.normal.z()].map(S::unit_to_f32);
+    // In the plane, to the left of an edge that goes counterclockwise.
+    let [a, b, c] = exact.vertices;
+    let area = cross(difference(b, a), difference(c, a));
+    let inward = [(b, c), (c, a), (a, b)].map(|(from, to)| unit(cross(area, difference(to, from))));
+    let [first, second, third] = inward.map(|way| way.unwrap_or_default());
+    let height = dot(difference(a, b), first);
+    Some(([corner, normal, first.map(single), second.map(single), third.map(single)], single(height)))
 }
 
 fn middle(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
@@ -198,14 +211,14 @@ impl<S: Narrow + ToF32> Maker<'_, S> {
                 for (places, place) in leaf.center.iter_mut().zip(center) {
                     places[slot] = single(place);
                 }
-                if let Some((axis, radius)) = rod(self.scene, solid.object) {
+                if let Some((axis, radius)) = bounding_cylinder(self.scene, solid.object) {
                     cones.radius[slot] = single(radius);
                     for (axes, axis) in cones.axis.iter_mut().zip(axis) {
                         axes[slot] = single(axis);
                     }
                     leaf.cones = as_number(self.built.cones.len());
                 }
-                if let Some((planes, height)) = sheet::<S>(self.scene, solid.object) {
+                if let Some((planes, height)) = triangle_planes::<S>(self.scene, solid.object) {
                     let Triangle4 { corner, normal, inward, .. } = &mut triangles;
                     for (all, plane) in [corner, normal].into_iter().chain(inward).zip(planes) {
                         for (places, place) in all.iter_mut().zip(plane) {
@@ -226,6 +239,22 @@ impl<S: Narrow + ToF32> Maker<'_, S> {
             self.runs.push((as_number(first), as_number(four.len())));
         }
         count.div_ceil(4)
+    }
+
+    /// Writes the tree of the objects, and that of the lamps if they have their own. Returns whether none has too many levels.
+    fn emit_all(&mut self, trees: &[Tree], by_size: bool) -> bool {
+        let Packets { nodes, leaves, cones, triangles, .. } = &mut self.built;
+        nodes.clear();
+        leaves.clear();
+        cones.clear();
+        triangles.clear();
+        self.runs.clear();
+        let mut levels = 0;
+        for (number, tree) in trees.iter().enumerate() {
+            self.built.lamps = (number > 0).then(|| as_number(self.built.nodes.len()));
+            levels = levels.max(self.emit(tree, by_size));
+        }
+        levels <= MAX_DEPTH
     }
 
     /// Writes a tree as nodes of four in preorder, and returns the number of levels.

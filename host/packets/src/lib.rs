@@ -2,7 +2,7 @@
 //!
 //! [`Packets`] is an [`Accelerator`](rta_core::accelerator::Accelerator) for a processor with SIMD registers: a bounding volume
 //! hierarchy whose nodes hold four boxes (I. Wald, C. Benthin and S. Boulos, "Getting Rid of Packets", IEEE Symposium on
-//! Interactive Ray Tracing, 2008) and whose leaves hold four bounding spheres, and light buffers about the eye and each lamp
+//! Interactive Ray Tracing, 2008) and whose leaves hold four bounding spheres, and light buffers about the eye and the first lamps
 //! (E. Haines and D. Greenberg, "The Light Buffer: A Shadow-Testing Accelerator", IEEE CG&A 6, 1986). It searches in `f32`
 //! whatever the picture is traced in, and only says what a ray cannot meet; what is left is asked in the picture's own format,
 //! so that a picture keeps its bytes: each box and each sphere is larger by a [margin](ToF32::margin) than the object in it,

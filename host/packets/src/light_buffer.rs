@@ -1,4 +1,4 @@
-//! Light buffers: for each direction from the eye, and from each lamp, the leaves that lie there.
+//! Light buffers: for each direction from the eye, and from each of the first lamps, the leaves that lie there.
 //!
 //! Most rays start at the eye or end at a lamp. They do not need the hierarchy, but use the light buffer of E. Haines and
 //! D. Greenberg ("The Light Buffer: A Shadow-Testing Accelerator", IEEE CG&A 6, 1986), which serves the eye as well. The six
@@ -15,8 +15,8 @@ pub(crate) struct Candidate(u32);
 
 impl Candidate {
     /// Instead of a leaf's number: there are more leaves than the cell lists, and the hierarchy has to be searched.
-    pub(crate) const REST: u32 = (1 << Self::PACK_BITS) - 1;
-    const PACK_BITS: u32 = 18;
+    pub(crate) const REST: u32 = (1 << Self::LEAF_BITS) - 1;
+    const LEAF_BITS: u32 = 18;
 
     /// Returns a candidate from a distance, 0 or more, and the number of a leaf, or [`Candidate::REST`].
     #[must_use]
@@ -175,10 +175,10 @@ impl Candidates<'_> {
     }
 }
 
-/// The light buffers of a scene: of the eye, and of each lamp.
+/// The light buffers of a scene: of the eye, and of as many lamps as their memory is enough for.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct LightBuffers {
-    /// The light buffer of the eye, then those of the lamps; or none at all.
+    /// The light buffer of the eye, then those of the first lamps; or none at all.
     pub(crate) buffers: Vec<LightBuffer>,
     /// The first candidate of each cell of the buffers, and where those of the last cell end.
     pub(crate) cells: Vec<u32>,
@@ -187,30 +187,36 @@ pub(crate) struct LightBuffers {
 }
 
 impl LightBuffers {
+    /// Returns how many bytes the cells and candidates take.
+    pub(crate) const fn bytes(&self) -> usize {
+        self.cells.len() * size_of::<u32>() + self.candidates.len() * size_of::<Candidate>()
+    }
+
     /// Returns the candidates of a ray that starts at the eye; `None` if it does not.
     #[inline(always)]
     pub(crate) fn eye_sees(&self, ray: &RayF32) -> Option<Candidates<'_>> {
-        let cube = self.buffers.first()?;
-        let beside = cube.center - ray.origin;
-        let is_there = beside.length_squared() <= cube.slack * cube.slack && ray.margin <= cube.margin;
-        is_there.then(|| self.seen(cube, ray.direction))
+        let buffer = self.buffers.first()?;
+        let beside = buffer.center - ray.origin;
+        let is_there = beside.length_squared() <= buffer.slack * buffer.slack && ray.margin <= buffer.margin;
+        is_there.then(|| self.seen(buffer, ray.direction))
     }
 
     /// Returns the candidates of a ray that ends at lamp number `lamp` within `t_max`, and the distance of its origin from the lamp;
     /// `None` if it does not end there, or if there are too many candidates.
     #[inline(always)]
     pub(crate) fn lamp_sees(&self, ray: &RayF32, t_max: f32, lamp: usize) -> Option<(Candidates<'_>, f32)> {
-        let cube = self.buffers.get(lamp + 1)?;
-        let way = cube.center - ray.origin;
+        let buffer = self.buffers.get(lamp + 1)?;
+        let way = buffer.center - ray.origin;
         let along = way.dot(ray.direction);
         let beside = way - ray.direction * along;
-        let far = along + cube.slack;
-        let is_there =
-            beside.length_squared() <= cube.slack * cube.slack && ray.margin <= cube.margin && t_max <= far;
+        let far = along + buffer.slack;
+        let is_there = beside.length_squared() <= buffer.slack * buffer.slack
+            && ray.margin <= buffer.margin
+            && t_max <= far;
         if !is_there {
             return None;
         }
-        let seen = self.seen(cube, -ray.direction);
+        let seen = self.seen(buffer, -ray.direction);
         match seen.entries.last() {
             Some(&rest) if rest.leaf() == Candidate::REST && seen.near(rest) <= far => None,
             _ => Some((seen, far)),
@@ -218,15 +224,15 @@ impl LightBuffers {
     }
 
     #[inline(always)]
-    fn seen(&self, cube: &LightBuffer, direction: Vec4) -> Candidates<'_> {
-        let run = cube.cell(direction).and_then(|cell| self.run(cell));
-        Candidates { entries: run.unwrap_or_default(), nearest: cube.nearest }
+    fn seen(&self, buffer: &LightBuffer, direction: Vec4) -> Candidates<'_> {
+        let run = buffer.cell(direction).and_then(|cell| self.run(cell));
+        Candidates { entries: run.unwrap_or_default(), nearest: buffer.nearest }
     }
 
     /// Returns the candidates of a cell of a light buffer, both by number; the eye's light buffer is the first.
     #[inline(always)]
-    pub(crate) fn in_cell(&self, cube: usize, cell: usize) -> Candidates<'_> {
-        let nearest = self.buffers.get(cube).map_or(0.0, |cube| cube.nearest);
+    pub(crate) fn in_cell(&self, buffer: usize, cell: usize) -> Candidates<'_> {
+        let nearest = self.buffers.get(buffer).map_or(0.0, |buffer| buffer.nearest);
         Candidates { entries: self.run(cell).unwrap_or_default(), nearest }
     }
 

@@ -12,6 +12,8 @@ use crate::light_buffer::LightBuffers;
 pub struct Packets {
     /// Nodes of four boxes in preorder, the root first. Of few objects there are none: all leaves are tried.
     pub(crate) nodes: Vec<Boxes>,
+    /// The root of the visible lamps, where they are so many that they are not among the objects.
+    pub(crate) lamps: Option<u32>,
     /// Objects, four by four: what nodes and light buffers name.
     pub(crate) leaves: Vec<Sphere4>,
     /// Cylinders about the cones among them, named by leaves.
@@ -20,7 +22,7 @@ pub struct Packets {
     pub(crate) triangles: Vec<Triangle4>,
     /// Vertical cylinders, four by four, in the order of their list.
     pub(crate) columns: Vec<Column4>,
-    /// What is seen from the eye, and from each lamp; nothing without nodes.
+    /// What is seen from the eye, and from the first lamps; nothing without nodes.
     pub(crate) light_buffers: LightBuffers,
     /// The largest size of a coordinate.
     pub(crate) size: f32,

@@ -12,8 +12,8 @@ use crate::rays::{Mask, RayF32, Rays};
 /// A component of a direction counts as this at least: its reciprocal is a number, and a ray does not drift off by more than
 /// a margin.
 const LEAST: f32 = 1e-12;
-/// Three of four children wait on each level.
-const STACK: usize = 3 * MAX_DEPTH + 1;
+/// Three of four children wait on each level, and one of two roots.
+const STACK: usize = 3 * MAX_DEPTH + 2;
 /// Each coordinate four times.
 #[inline(always)]
 fn splat(v: Vec4) -> [Vec4; 3] {
@@ -152,9 +152,18 @@ pub(crate) struct Traversal<'a, 'w> {
 pub(crate) type TraversalStack = Vec<(Child, f32), STACK>;
 
 impl<'a, 'w> Traversal<'a, 'w> {
-    /// A search from the root on.
+    /// A search for objects and lamps.
     #[inline(always)]
-    pub(crate) fn new(query: Query<'a>, waiting: &'w mut TraversalStack) -> Self {
+    pub(crate) fn of_all(query: Query<'a>, waiting: &'w mut TraversalStack) -> Self {
+        if let Some(root) = query.packets.lamps {
+            let _ = waiting.push((Child::node(root), 0.0));
+        }
+        Self::of_objects(query, waiting)
+    }
+
+    /// A search for objects; where there are few lamps, they are among them.
+    #[inline(always)]
+    pub(crate) fn of_objects(query: Query<'a>, waiting: &'w mut TraversalStack) -> Self {
         let slabs = Slabs::new(&query.ray);
         let _ = waiting.push((Child::node(0), 0.0));
         Self { query, slabs, waiting }

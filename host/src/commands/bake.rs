@@ -3,6 +3,7 @@
 use rta_scenes::bake::{self, BakeError, Recipe};
 
 use crate::args::BakeArgs;
+use crate::engine::interrupt;
 use crate::error::Error;
 use crate::picture::output;
 use crate::request::fit::Fit;
@@ -16,7 +17,7 @@ pub fn run(args: &BakeArgs) -> Result<(), Error> {
     let scene = SceneFile::open_as(&args.scene, args.reading.into())?;
     let aspect = args.aspect.ratio();
     let model = args.model.unwrap_or(scene.description.model.into());
-    let fit = Fit { format: args.format, aspect, model: Some(model), asked: args.fit };
+    let fit = Fit { format: args.format, aspect, model: Some(model), depth: 0, asked: args.fit };
     let description = fit.scaled(&scene);
     let recipe = Recipe { format: args.format, aspect, model };
     let source = match bake::module(&description, &scene.title, &recipe) {
@@ -25,5 +26,7 @@ pub fn run(args: &BakeArgs) -> Result<(), Error> {
         Err(BakeError::Range(error)) => return Err(fit.refused(&scene, error.into()).into()),
         Err(error) => return Err(error.into()),
     };
-    Ok(output::write_text(&args.output, &source)?)
+    // From here on a signal waits for the file, which is soon complete.
+    interrupt::watch();
+    Ok(output::write_text(&args.output, &source, &scene.inputs)?)
 }

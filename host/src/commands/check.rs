@@ -19,12 +19,14 @@ use crate::request::scene_file::SceneFile;
 pub fn run(args: &CheckArgs) -> Result<(), Error> {
     let scene = SceneFile::open_as(&args.scene, args.reading.into())?;
     let aspect = args.aspect.ratio();
-    let fit = Fit { format: args.format, aspect, model: None, asked: args.fit };
+    let fit = Fit { format: args.format, aspect, model: None, depth: 0, asked: args.fit };
     let description = fit.scaled(&scene);
     let Verdict { rows, refused } = verdict(&description, args.format, aspect);
-    print(&table(&scene.title, args.format, &rows))?;
+    print(&table(&scene.title, args.format, &rows), &scene.inputs)?;
     let Some(reason) = refused else {
-        return Ok(print(&format!("{} is admitted to {}\n", scene.title, args.format))?);
+        fit.advise(&scene);
+        let line = format!("{} is admitted to {}\n", scene.title, args.format);
+        return Ok(print(&line, &scene.inputs)?);
     };
     Err(fit.refused(&scene, reason).into())
 }
@@ -68,7 +70,7 @@ fn table(title: &str, format: Format, rows: &[Bound]) -> String {
             _ => "all".into(),
         };
         let mark = if row.holds() { ' ' } else { '!' };
-        let (name, by) = (row.quantity.name(), object(row.object));
+        let (name, by) = (row.quantity.to_string(), object(row.object));
         lines.push(format!(
             "{name:32} {:>12} {:>12} {headroom:>11}{mark} {by}",
             digits(bound),

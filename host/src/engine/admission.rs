@@ -53,25 +53,35 @@ pub fn verdict(scene: &Description, format: Format, aspect: f64) -> Verdict {
 fn prove<S: Narrow>(scene: &Description, aspect: f64) -> Verdict {
     match narrow::<S>(scene, aspect) {
         Err(error) => Verdict { rows: Vec::new(), refused: Some(error.into()) },
-        Ok(narrowed) => Verdict {
-            rows: narrowed.scene().prove(&narrowed.camera).bounds.to_vec(),
-            refused: narrowed.scene().admit(&narrowed.camera).err().map(Refusal::from),
-        },
+        Ok(narrowed) => {
+            let proof = narrowed.scene().prove(&narrowed.camera);
+            Verdict { rows: proof.bounds.to_vec(), refused: proof.refused.map(Refusal::from) }
+        }
     }
 }
 
-/// Returns whether a format admits a scene, for a screen of the shape `aspect : 1`.
-pub fn admits(scene: &Description, format: Format, aspect: f64) -> bool {
-    fn admits<S: Narrow>(scene: &Description, aspect: f64) -> bool {
-        narrow::<S>(scene, aspect).is_ok_and(|narrowed| narrowed.scene().admit(&narrowed.camera).is_ok())
+/// Returns whether a format admits a scene, for a screen of the shape `aspect : 1` and rays of this depth.
+pub fn admits(scene: &Description, format: Format, aspect: f64, depth: u32) -> bool {
+    fn admits<S: Narrow>(scene: &Description, aspect: f64, depth: u32) -> bool {
+        narrow::<S>(scene, aspect).is_ok_and(|narrowed| {
+            let admitted = narrowed.scene().admit(&narrowed.camera);
+            admitted.is_ok_and(|admitted| depth <= u32::from(admitted.limits.depth))
+        })
     }
-    in_format!(format, S => admits::<S>(scene, aspect))
+    in_format!(format, S => admits::<S>(scene, aspect, depth))
 }
 
 /// Returns the formats other than `format` that admit the scene, the finest fixed point first.
-pub fn alternatives(scene: &Description, format: Format, aspect: f64) -> Vec<Format> {
-    let fits = |f: &Format| *f != format && admits(scene, *f, aspect);
-    SUGGESTED.into_iter().filter(fits).collect()
+pub fn alternatives(scene: &Description, format: Format, aspect: f64, depth: u32) -> Vec<Format> {
+    let mut fitting: Vec<Format> = Vec::with_capacity(SUGGESTED.len());
+    for other in SUGGESTED.into_iter().filter(|other| *other != format) {
+        // All limits of f64 are beyond those of f32.
+        let is_wider = other == Format::F64 && fitting.contains(&Format::F32);
+        if is_wider || admits(scene, other, aspect, depth) {
+            fitting.push(other);
+        }
+    }
+    fitting
 }
 
 #[cfg(test)]
@@ -87,7 +97,7 @@ mod tests {
             for format in SUGGESTED {
                 let verdict = verdict(&scene, format, 4.0 / 3.0);
                 assert!(verdict.refused.is_none(), "{name} in {format}: {:?}", verdict.refused);
-                assert_eq!(verdict.rows.len(), 12);
+                assert_eq!(verdict.rows.len(), 13);
             }
         }
     }
@@ -102,15 +112,22 @@ mod tests {
             "{refusal}"
         );
         assert!(refusal.ends_with("beyond the largest 1536"), "{refusal}");
-        assert_eq!(alternatives(&scene, Format::Q20, 1.0), [Format::Q16, Format::F32, Format::F64]);
+        assert_eq!(alternatives(&scene, Format::Q20, 1.0, 5), [Format::Q16, Format::F32, Format::F64]);
     }
 
     #[test]
-    fn a_mirror_that_makes_light_is_refused() {
+    fn a_mirror_that_makes_light_is_refused_where_its_weights_do_not_fit() {
         let mut scene = dat::read(shipped::HALL_22.as_bytes(), "hall-22.dat").expect("a shipped scene");
         scene.spheres.iter_mut().for_each(|sphere| sphere.color = [1.1, 0.5, 0.5]);
-        let refusal = verdict(&scene, Format::Q16, 1.0).refused.expect("its weights grow").to_string();
-        assert!(refusal.contains("sphere 1") && refusal.contains("weight of a ray"), "{refusal}");
-        assert!(verdict(&scene, Format::F32, 1.0).refused.is_none());
+        let verdict = verdict(&scene, Format::Q16, 1.0);
+        assert!(verdict.refused.is_none());
+        let row = verdict.rows.iter().map(|row| row.quantity.to_string()).find(|row| row.contains("weight"));
+        assert_eq!(row.as_deref(), Some("weight of a ray at depth 7"));
+        for (depth, fitting) in
+            [(7, [Format::Q20, Format::F32, Format::F64].as_slice()), (8, &[Format::F32, Format::F64])]
+        {
+            assert_eq!(admits(&scene, Format::Q16, 1.0, depth), depth == 7);
+            assert_eq!(alternatives(&scene, Format::Q16, 1.0, depth), fitting);
+        }
     }
 }

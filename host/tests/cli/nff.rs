@@ -112,7 +112,7 @@ fn standard_input_is_recognised_by_what_it_says() {
     let folder = folder();
     for (text, name) in [(SMALL, "small.nff"), (SCENE, "scene.dat")] {
         let args = ["-o", "-", "--as", "ppm", "--device", "none", "--size", "32x24"];
-        let mut command = folder.command(&[&["render", "-"], &args[..]].concat());
+        let mut command = folder.command(&[&["render", "-q", "-"], &args[..]].concat());
         let mut child = command.stdin(Stdio::piped()).stdout(Stdio::piped()).spawn().unwrap();
         child.stdin.take().unwrap().write_all(text.as_bytes()).unwrap();
         let piped = child.wait_with_output().unwrap().stdout;
@@ -132,7 +132,7 @@ fn a_scene_that_does_not_fit_is_scaled_if_that_is_asked() {
     folder.refuses(&["bake", "large.nff", "-o", "large.rs"], &["--fit would scale it by 0."]);
     folder.refuses(&["explain", "large.nff", "--pixel", "1,1"], &["--fit would scale it by 0."]);
     for command in [
-        &[&["render", "large.nff"], &args[..]].concat()[..],
+        &[&["render", "-q", "large.nff"], &args[..]].concat()[..],
         &["check", "large.nff"],
         &["bake", "large.nff", "-o", "-"],
         &["explain", "large.nff", "--pixel", "1,1"],
@@ -166,9 +166,30 @@ fn a_scene_that_does_not_fit_is_scaled_if_that_is_asked() {
         let far = large.iter().zip(&exact).filter(|(a, b)| a.abs_diff(**b) > 2).count();
         assert!(far * 100 < exact.len(), "{model}: {far} of {}", exact.len());
     }
-    // What fits is left alone, silently.
-    let small = folder.renders(&[&["small.nff"], &args[..]].concat());
-    assert!(small == folder.renders(&[&["small.nff", "--fit"], &args[..]].concat()));
+}
+
+#[test]
+fn a_scene_that_gains_by_a_scale_is_told_so() {
+    let folder = folder();
+    let args = ["--device", "none", "--as", "pfm", "-o", "-", "--format", "q16"];
+    let small = [&["render", "small.nff"], &args[..]].concat();
+    let advice = "rta: small.nff is small for q16: --fit scales it by 2048 and makes its picture 3 bits more precise\n";
+    for command in [&small[..], &["check", "small.nff"]] {
+        let Output { status, stdout, stderr } = folder.rta(command);
+        assert!(status.success() && !stdout.is_empty(), "{command:?}");
+        assert_eq!(String::from_utf8(stderr).unwrap(), advice, "{command:?}");
+        let told = folder.rta(&[command, &["--fit"]].concat()).stderr;
+        assert_eq!(String::from_utf8(told).unwrap(), "rta: small.nff is scaled by 2048 to fit q16\n");
+    }
+    assert!(folder.rta(&small).stdout != folder.rta(&[&small[..], &["--fit"]].concat()).stdout);
+    // A scene that is large enough, one with a floor and floats gain nothing, and are left alone.
+    folder.scene("wide.nff", SMALL.replace("l 5 -5 5", "l 70 -70 70"));
+    for (scene, format) in
+        [("wide.nff", "q16"), ("scene.dat", "q16"), ("small.nff", "f32"), ("small.nff", "f64")]
+    {
+        folder.prints(&["check", scene, "--format", format]);
+        folder.prints(&["check", scene, "--format", format, "--fit"]);
+    }
 }
 
 #[test]

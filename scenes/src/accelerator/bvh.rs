@@ -27,7 +27,7 @@ const WORTH: f64 = 1.1;
 /// Longer runs than this are cut into parts of an eighth at least.
 const LONG: usize = 256;
 /// A pair of nodes, and objects one by one.
-const COSTS: Costs = Costs { pair: 2.0 * NODE, object: 1.0 + NAMED, pack: 0.0, at_once: 1, leaf: 8 };
+const COSTS: Costs = Costs { pair: 2.0 * NODE, object: 1.0 + NAMED, group: 0.0, at_once: 1, leaf: 8 };
 
 /// A hierarchy in one number format; without nodes it is none.
 #[derive(Clone, Debug)]

@@ -8,16 +8,17 @@ const BINS: usize = 16;
 /// Levels of pairs at most.
 pub const MAX_PAIRS: usize = 41;
 
-/// What a search costs, in spheres that are tried one by one.
+/// The costs of the steps of a search. The unit is the test of one sphere.
 #[derive(Clone, Copy, Debug)]
 pub struct Costs {
-    /// Testing the boxes of a pair.
+    /// The test of the two boxes of a pair.
     pub pair: f64,
-    /// Of what an object costs that is not a sphere but as many, the part that is spent where its leaf is looked at.
+    /// The part of an object's own cost that counts for its leaf: a triangle costs as much as several spheres, but is often
+    /// rejected by its bounding sphere.
     pub object: f64,
-    /// Looking at as many objects of a leaf as are looked at at once, whatever they are.
-    pub pack: f64,
-    /// How many that are.
+    /// The test of a group of objects at once, whatever they are; 0 where objects are tested one by one.
+    pub group: f64,
+    /// The number of objects in a group.
     pub at_once: usize,
     /// The most objects in a leaf.
     pub leaf: usize,
@@ -56,10 +57,10 @@ impl Tree {
 }
 
 impl Costs {
-    /// What looking at a leaf costs of so many objects that cost so much together.
+    /// Returns the cost of a leaf of `count` objects whose own costs add up to `objects`.
     #[allow(clippy::cast_precision_loss)] // few
     fn leaf(&self, count: usize, objects: f64) -> f64 {
-        self.object * objects + self.pack * count.div_ceil(self.at_once) as f64
+        self.object * objects + self.group * count.div_ceil(self.at_once) as f64
     }
 }
 

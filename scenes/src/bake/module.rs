@@ -76,9 +76,10 @@ pub(super) fn write<S: Literal>(
     )?;
     writeln!(
         out,
-        "        ::rta_core::scene::Limits {{ floor_end: {}, cylinder_end: {} }},\n        {},\n    )\n}};",
+        "        ::rta_core::scene::Limits {{ floor_end: {}, cylinder_end: {}, depth: {} }},\n        {},\n    )\n}};",
         length(limits.floor_end),
         length(limits.cylinder_end),
+        limits.depth,
         match hierarchy.bvh() {
             Some(_) => "::rta_core::accelerator::Bvh { nodes: &NODES, order: &ORDER }",
             None => "::rta_core::accelerator::Lists",
@@ -188,12 +189,10 @@ fn write_lists<S: Literal>(out: &mut impl Write, scene: &Narrowed<S>) -> fmt::Re
             Some(normals) => format!("Some([{}])", normals.map(direction::<S>).join(", ")),
         };
         format!(
-            "corner: {}, extent: {}, normal: {}, inward: [{}], heights: [{}], normals: {normals}, one_sided: {}, color: {}, material: {}",
-            place::<S>(t.corner),
+            "vertices: [{}], extent: {}, normal: {}, normals: {normals}, one_sided: {}, color: {}, material: {}",
+            t.vertices.map(place::<S>).join(", "),
             length(t.extent),
             direction::<S>(t.normal),
-            t.inward.map(direction::<S>).join(", "),
-            t.heights.map(length).join(", "),
             t.one_sided,
             color::<S>(t.color),
             material(&t.material)

@@ -1,9 +1,7 @@
-use rta_core::Q16;
-
-use super::{FloorError, fit};
+use super::{Fitted, FloorError, fit, missing};
 use crate::description::{Cylinder, Description, Ellipsoid, Model, Surface};
 use crate::narrow::narrow;
-use crate::{nff, read, shipped};
+use crate::{Format, in_format, nff, read, shipped};
 
 const SCENE: &str = "
 v from 1 2 3 at 4 6 8 up 0 0 1 angle 45 hither 1 resolution 64 48
@@ -55,45 +53,99 @@ fn lengths_are_scaled_and_nothing_else() {
     }
 }
 
+/// Returns whether a format admits a scene.
+fn admits(scene: &Description, format: Format) -> bool {
+    in_format!(format, S => narrow::<S>(scene, 1.0)
+        .is_ok_and(|narrowed| narrowed.scene().admit(&narrowed.camera).is_ok()))
+}
+
+/// Returns the factor by which a scene is scaled, 1 where it is best as it is and none where no scale helps, and the bits that are
+/// gained. Sees that the scene is scaled by it, that it is admitted and, where it is scaled, that none is that is twice as large.
+fn factor(scene: &Description, format: Format) -> (Option<f64>, Option<f64>) {
+    let fitted = fit(scene, scene.model, format, |scene| admits(scene, format)).expect("it has no floor");
+    let (factor, gain) = match fitted {
+        Fitted::AsItIs => return (Some(1.0), None),
+        Fitted::Never => return (None, None),
+        Fitted::Scaled { factor, scene: scaled, gain } => {
+            assert_eq!(Ok(*scaled), scene.clone().scaled(factor));
+            (factor, gain)
+        }
+    };
+    let by = |factor| scene.clone().scaled(factor).expect("it has no floor");
+    assert!(admits(&by(factor), format), "{format}: {factor}");
+    assert!(!admits(&by(2.0 * factor), format), "{format}: {factor} is not the largest");
+    (Some(factor), gain)
+}
+
 #[test]
-fn the_factor_is_the_nearest_to_one() {
-    let scene = scene(Model::Phong);
-    let radius = |scene: &Description| scene.spheres.iter().map(|sphere| sphere.radius).sum::<f64>();
-    for (least, most, factor) in [
-        (3.0, 5.0, Some(1.0)),
-        (0.0, 3.9, Some(0.5)),
-        (4.1, 1e9, Some(2.0)),
-        (0.0, 0.001, Some(1.0 / 4096.0)),
-        (5000.0, 1e9, Some(2048.0)),
-        (4.1, 7.9, None),
-        (1e13, 1e99, None),
-        (0.0, 1e-13, None),
-    ] {
-        let fits = |scene: &Description| (least..=most).contains(&radius(scene));
-        assert_eq!(fit(&scene, fits), Ok(factor), "{least} to {most}");
-    }
-    // As near on both sides.
-    assert_eq!(fit(&scene, |scene| (radius(scene) - 4.0).abs() > 1.0), Ok(Some(0.5)));
-    let (ends, scale) = ([-40, 40], |exponent| 4.0 * 2_f64.powi(exponent));
-    for end in ends {
-        let fits = |scene: &Description| (radius(scene) / scale(end) - 1.0).abs() < 1e-9;
-        assert_eq!(fit(&scene, fits), Ok(Some(2_f64.powi(end))));
+fn the_factor_is_the_largest_that_is_admitted() {
+    for model in [Model::Phong, Model::Rta] {
+        // A world of every size, of which nothing is as far as 24 from the origin.
+        for exponent in -90..90 {
+            let size = 2_f64.powi(exponent) * 1.1;
+            let world = scene(model).scaled(size).expect("it has no floor");
+            for format in [Format::Q16, Format::Q20] {
+                let (factor, gain) = factor(&world, format);
+                let factor = factor.expect("a scale helps");
+                let steps = (factor * size * 20.0 / format.step().expect("fixed point")).log2();
+                // Where lamps are attenuated, their limit is reached before that of lengths.
+                assert!((20.0..31.0).contains(&steps), "{model:?}, {format}, {size}: 2^{steps} steps");
+                let is_admitted = admits(&world, format);
+                assert_eq!(gain.is_some(), is_admitted && factor > 1.0, "{format}, {size}");
+                assert!(factor >= 1.0 || !is_admitted, "{format}, {size}");
+            }
+        }
     }
 }
 
 #[test]
-fn a_scene_of_a_large_world_fits_fixed_point() {
-    let large = scene(Model::Phong).scaled(1e5).expect("it has no floor");
-    let fits = |scene: &Description| narrow::<Q16>(scene, 1.0).is_ok();
-    let factor = fit(&large, fits).expect("it has no floor").expect("it is not that large");
-    assert!(factor < 1.0 && fits(&large.clone().scaled(factor).expect("no floor")), "{factor}");
-    assert!(!fits(&large.scaled(factor * 2.0).expect("no floor")), "{factor}");
+fn a_scene_with_enough_steps_is_left_as_it_is() {
+    let world = |size: f64| scene(Model::Phong).scaled(size).expect("it has no floor");
+    // It is some 20 across.
+    for (format, coarse, fine) in [(Format::Q16, 1.0, 4.0), (Format::Q20, 0.0625, 0.25)] {
+        let (larger, gain) = factor(&world(coarse), format);
+        assert!(larger > Some(64.0) && gain.is_some_and(|gain| (1.0..2.0).contains(&gain)), "{gain:?}");
+        assert_eq!(factor(&world(fine), format), (Some(1.0), None));
+        assert!(missing(&world(fine), format) <= 0.0);
+    }
+    let (_, gain) = factor(&world(1.0 / 1024.0), Format::Q16);
+    assert!(gain.is_some_and(|gain| (11.0..12.0).contains(&gain)), "{gain:?}");
+    let (_, gain) = factor(&world(1e-9), Format::Q16);
+    assert_eq!(gain, None, "it is not admitted as it is");
+}
+
+#[test]
+fn floats_are_scaled_only_where_they_must() {
+    for (size, admitted) in [(1e-9, true), (1.0, true), (1e9, true), (1e30, false)] {
+        let (factor, gain) = factor(&scene(Model::Phong).scaled(size).expect("no floor"), Format::F32);
+        assert_eq!((factor == Some(1.0), gain), (admitted, None), "{size}");
+    }
+}
+
+#[test]
+fn few_proofs_tell_that_no_scale_helps() {
+    let calls = core::cell::Cell::new(0);
+    let admits = |_: &Description| {
+        calls.set(calls.get() + 1);
+        false
+    };
+    assert_eq!(fit(&scene(Model::Phong), Model::Phong, Format::Q16, admits), Ok(Fitted::Never));
+    assert!((2..10).contains(&calls.get()), "{} proofs", calls.get());
+}
+
+#[test]
+fn no_scale_helps_a_color() {
+    let mut scene = scene(Model::Phong);
+    scene.spheres.iter_mut().for_each(|sphere| sphere.color = [9.0; 3]);
+    for format in [Format::Q16, Format::Q20] {
+        assert_eq!(factor(&scene, format), (None, None));
+    }
 }
 
 #[test]
 fn a_floor_cannot_be_scaled() {
     let scene = read(shipped::GLASS_2.as_bytes(), "glass-2.dat").expect("it ships");
-    assert_eq!(fit(&scene, |_| true), Ok(Some(1.0)));
-    assert_eq!(fit(&scene, |_| false), Err(FloorError));
+    assert_eq!(fit(&scene, scene.model, Format::Q16, |_| true), Ok(Fitted::AsItIs));
+    assert_eq!(fit(&scene, scene.model, Format::Q16, |_| false), Err(FloorError));
     assert_eq!(scene.scaled(0.5), Err(FloorError));
 }

@@ -8,23 +8,31 @@ use super::{Narrow, NarrowError};
 use crate::description::Surface;
 
 /// What an error says of the thing that is being narrowed.
+#[derive(Clone, Copy)]
 pub(super) struct Checker<S> {
-    object: String,
+    kind: &'static str,
+    /// Its number in its list, from 0, and the line where it begins; 0 if it has none.
+    place: Option<(usize, u32)>,
     format: core::marker::PhantomData<S>,
 }
 
 impl<S: Narrow> Checker<S> {
-    pub(super) fn new(kind: &str, index: usize, line: u32) -> Self {
-        let place = if line > 0 { format!(" (line {line})") } else { String::new() };
-        Self::named(format!("{kind} {}{place}", index + 1))
+    pub(super) const fn new(kind: &'static str, index: usize, line: u32) -> Self {
+        Self { kind, place: Some((index, line)), format: core::marker::PhantomData }
     }
 
-    pub(super) fn named(object: impl Into<String>) -> Self {
-        Self { object: object.into(), format: core::marker::PhantomData }
+    pub(super) const fn named(kind: &'static str) -> Self {
+        Self { kind, place: None, format: core::marker::PhantomData }
     }
 
     pub(super) fn error(&self, quantity: &'static str, value: f64, limit: f64) -> NarrowError {
-        NarrowError { object: self.object.clone(), quantity, value, limit, format: S::NAME }
+        // Only now, as there may be a million things without an error.
+        let object = match self.place {
+            None => self.kind.to_owned(),
+            Some((index, 0)) => format!("{} {}", self.kind, index + 1),
+            Some((index, line)) => format!("{} {} (line {line})", self.kind, index + 1),
+        };
+        NarrowError { object, quantity, value, limit, format: S::NAME }
     }
 
     pub(super) fn at_most(&self, quantity: &'static str, value: f64, limit: f64) -> Result<f64, NarrowError> {

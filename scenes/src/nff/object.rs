@@ -4,7 +4,7 @@ use super::polygon::{self, Cut, MOST_CROSSINGS, NotCut};
 use super::{ENTITIES, Fill, Reader};
 use crate::description::{Cone, Ellipsoid, Plane, Sphere, Surface, Triangle};
 use crate::error::{Found, SceneError};
-use crate::numbers::{AXES, Range};
+use crate::numbers::{AXES, Range, Short};
 use crate::space::{Triple, cross, difference, length, unit};
 
 /// Most corners that a polygon may have: the time to look at a concave one grows with their square.
@@ -103,7 +103,8 @@ impl Reader<'_> {
         };
         if !range.holds(apex_radius) {
             let expected = format!("the apex radius of cone {which} ({range} like the base radius)");
-            let found = Found::Number(format!("{apex_radius} (the base radius is {base_radius})"));
+            let [apex, base] = [apex_radius, base_radius].map(Short::nearest);
+            let found = Found::Number(format!("{apex} (the base radius is {base})"));
             return Err(self.tokens.error(place, expected, found));
         }
         self.scene.cones.push(Cone {

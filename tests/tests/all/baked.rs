@@ -66,8 +66,8 @@ baked! {
     whitted_q16: "../scenes/hall-22.dat", Q16, Whitted, Whitted::default();
     solids_q16: "scenes/solids.nff", Q16, Phong, Phong::default();
     solids_f32: "scenes/solids.nff", F32, Phong, Phong::default();
-    kinds_q16: "scenes/cases/kinds.nff", Q16, Phong, Phong::default();
-    kinds_f32: "scenes/cases/kinds.nff", F32, Phong, Phong::default();
+    kinds_q16: "scenes/kinds.nff", Q16, Phong, Phong::default();
+    kinds_f32: "scenes/kinds.nff", F32, Phong, Phong::default();
     balls_2_q16: "../scenes/balls2.nff", Q16, Phong, Phong::default();
     balls_2_f32: "../scenes/balls2.nff", F32, Phong, Phong::default();
 }

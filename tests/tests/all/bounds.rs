@@ -42,7 +42,7 @@ where
     Paired<S>: rta_scenes::narrow::Narrow + Scalar,
 {
     let narrowed = narrow::<Paired<S>>(scene, 4.0 / 3.0).ok()?;
-    let bounds: [Bound; 12] = narrowed.scene().prove(&narrowed.camera).bounds;
+    let bounds: [Bound; 13] = narrowed.scene().prove(&narrowed.camera).bounds;
     let admitted = narrowed.scene().admit(&narrowed.camera).ok()?;
     let tracer: Tracer<_, _, Everything, 5> = Tracer::new(admitted, Rta, 5).expect("depth 5 of 5");
     let bound =

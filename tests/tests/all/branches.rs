@@ -10,7 +10,7 @@
 use fastrand::Rng;
 use rta::engine::{Format, Settings};
 use rta::paired;
-use rta::paired::trail::{GUNS, Pixel, picture, pixels};
+use rta::paired::trail::{self, GUNS, Pixel, picture};
 use rta_core::color::Rgb;
 use rta_core::{Q16, Q20};
 use rta_scenes::description::Description;
@@ -65,9 +65,10 @@ fn stirred<S: paired::Format>(scene: &Description, seed: u64) -> Description {
 /// Returns the number of levels, for each kind of gun, by which a pixel of f64 changes when the scene's lengths are
 /// [`stirred`].
 fn moves(scene: &Description, format: Format, at: &Settings, i: usize) -> [u8; GUNS.len()] {
-    let (x, y) = (i % at.width as usize, u32::try_from(i / at.width as usize).expect("a row"));
+    let i = u32::try_from(i).expect("a pixel");
+    let (x, y) = (i % at.width, i / at.width);
     let pixel = |scene: &Description| {
-        pixels(scene, &settings(Format::F64), y..y + 1).expect("it fits").swap_remove(x)
+        trail::pixel(scene, &settings(Format::F64), x, y).expect("it fits").expect("in the raster")
     };
     let still = pixel(scene);
     let mut most = [0; GUNS.len()];

@@ -1,7 +1,7 @@
 //! Hashes of the linear light of small pictures, which tell whether a change of the code has changed a picture.
 //!
-//! The pictures are traced as `rta render --device none --fit --size 46x35 --aspect 4:3` traces them, and hashed bit
-//! for bit in their own number format, before any rounding to levels.
+//! The pictures are traced as `rta render --device none --size 46x35 --aspect 4:3` traces them, with `--fit` where a number format
+//! does not admit the scene, and hashed bit for bit in their own number format, before any rounding to levels.
 
 use std::borrow::Cow;
 
@@ -13,7 +13,7 @@ use rta_core::scalar::Radiance;
 use rta_core::{Q16, Q20};
 use rta_packets::picture::{self, Setup};
 use rta_scenes::description::{self, Description};
-use rta_scenes::fit::fit;
+use rta_scenes::fit::{Fitted, fit};
 use rta_scenes::in_format;
 
 use rta_tests::exact::fnv1a;
@@ -70,17 +70,18 @@ impl Bits for Q20 {
     }
 }
 
-/// Returns the scene, scaled as `--fit` scales it if it does not fit the number format; nothing if no scale helps.
+/// Returns the scene, scaled as `--fit` scales it if the number format does not admit it as it is; nothing if no scale helps.
 fn fitted(scene: &Description, format: Format, model: Model) -> Option<Cow<'_, Description>> {
-    let fits = |scene: &Description| admits(scene, format, ASPECT);
-    if fits(scene) {
+    let admits = |scene: &Description| admits(scene, format, ASPECT, 0);
+    if admits(scene) {
         return Some(Cow::Borrowed(scene));
     }
     // The model of the picture decides whether lamps are attenuated, and so scaled.
     let model = if model.is_attenuated() { description::Model::Rta } else { description::Model::Phong };
-    let scene = Description { model, ..scene.clone() };
-    let factor = fit(&scene, fits).ok()??;
-    scene.scaled(factor).ok().map(Cow::Owned)
+    match fit(scene, model, format, admits) {
+        Ok(Fitted::Scaled { scene, .. }) => Some(Cow::Owned(*scene)),
+        _ => None,
+    }
 }
 
 /// Returns the hash of a picture as `rta render` draws it: of red, green and blue of each pixel, eight bytes each, little

@@ -13,46 +13,71 @@ use crate::packets::Packets;
 /// The most leaves that a cell lists. More are seldom needed: the eye's rays have met something before, and for a shadow ray the
 /// hierarchy is as quick.
 const MOST: u32 = 24;
+/// The number of leaves up to which the hierarchy is as quick as a lamp's light buffer.
+const FEW: usize = 2;
 /// The most large leaves for which no cells are made.
 const LARGE: usize = 6;
 /// The least and the greatest number of cells of a light buffer; between these, half as many as there are objects.
 const CELLS: core::ops::RangeInclusive<usize> = 4096..=65536;
 
+/// Bytes that the light buffers of all lamps together may take, whatever the scene, and for each of its objects. The lamps that
+/// come after these are searched for by the hierarchy.
+const BYTES: [usize; 2] = [2 << 20, 256];
+/// The number of times that a leaf is put into a cell, for each cell and for each object: where everything is seen through every
+/// cell, the hierarchy is searched for what is behind.
+const VISITS: [usize; 2] = [512, 16];
+
 /// Adds the light buffers to `built`, whose nodes and leaves are complete; `runs` has for each leaf the index of its first object
-/// in `solids`, and the number of its objects.
+/// in `solids`, and the number of its objects. The first `occluders` leaves are those that may hide a lamp.
 pub(super) fn build<S: ToF32>(
     scene: &Description,
     solids: Vec<Solid>,
-    runs: &[(u32, u32)],
+    (runs, occluders): (&[(u32, u32)], usize),
     built: &mut Packets,
 ) {
     if built.leaves.len() >= Candidate::REST as usize {
         return;
     }
     let boxes: Vec<_> = solids.into_iter().map(|solid| Rounded::new(&solid.bounds)).collect();
-    let size = f64::from(built.size);
-    let lamps = scene.lamps.iter().map(|lamp| (lamp.position, false));
-    for (center, is_eye) in core::iter::once((scene.camera.eye, true)).chain(lamps) {
-        let away = center.iter().fold(0.0f64, |most, c| most.max(c.abs()));
-        // Rays start in the scene, not far from it, or at the eye.
-        let far = (4.0 * size).max(if is_eye { away } else { 0.0 });
-        let margin = S::margin(single(far));
-        // By so much a ray may pass by the point: it is pushed off a surface, and its direction is rounded.
-        let slack = 2.0 * margin + single(32.0 * f64::from(f32::EPSILON) * (away + size));
-        // Twice the slack, for the ray's own margin and the rounding of the light buffer's numbers too.
-        let reach = 2.0 * f64::from(slack);
-        // Where everything is everywhere, it does not help.
-        let cube = if reach < size / 16.0 {
-            let [x, y, z] = center.map(single);
-            let cube =
-                LightBuffer { center: [x, y, z, built.size].into(), slack, margin, ..LightBuffer::NONE };
-            Point { center, reach }.look(cube, &boxes, runs, built)
-        } else {
-            LightBuffer::NONE
-        };
-        built.light_buffers.buffers.push(cube);
+    let buffer = about::<S>(scene.camera.eye, true, &boxes, runs, built);
+    built.light_buffers.buffers.push(buffer);
+    let before = built.light_buffers.bytes();
+    let [whole, each] = BYTES;
+    for lamp in &scene.lamps {
+        if occluders <= FEW || built.light_buffers.bytes() - before > whole + each * boxes.len() {
+            break;
+        }
+        let runs = runs.get(..occluders).unwrap_or_default();
+        let buffer = about::<S>(lamp.position, false, &boxes, runs, built);
+        built.light_buffers.buffers.push(buffer);
     }
     built.light_buffers.cells.push(as_number(built.light_buffers.candidates.len()));
+}
+
+/// Returns the light buffer of a point, whose cells and their candidates are appended to those that are built.
+fn about<S: ToF32>(
+    center: [f64; 3],
+    is_eye: bool,
+    boxes: &[Rounded],
+    runs: &[(u32, u32)],
+    built: &mut Packets,
+) -> LightBuffer {
+    let size = f64::from(built.size);
+    let away = center.iter().fold(0.0f64, |most, c| most.max(c.abs()));
+    // Rays start in the scene, not far from it, or at the eye.
+    let far = (4.0 * size).max(if is_eye { away } else { 0.0 });
+    let margin = S::margin(single(far));
+    // By so much a ray may pass by the point: it is pushed off a surface, and its direction is rounded.
+    let slack = 2.0 * margin + single(32.0 * f64::from(f32::EPSILON) * (away + size));
+    // Twice the slack, for the ray's own margin and the rounding of the light buffer's numbers too.
+    let reach = 2.0 * f64::from(slack);
+    if reach >= size / 16.0 {
+        // Where everything is everywhere, it does not help.
+        return LightBuffer::NONE;
+    }
+    let [x, y, z] = center.map(single);
+    let buffer = LightBuffer { center: [x, y, z, built.size].into(), slack, margin, ..LightBuffer::NONE };
+    Point { center, reach }.look(buffer, boxes, runs, built)
 }
 
 /// The boxes of the objects of each leaf.
@@ -153,12 +178,13 @@ impl Point {
     /// Completes a light buffer; its cells and their candidates are appended to those that are built.
     fn look(
         &self,
-        cube: LightBuffer,
+        buffer: LightBuffer,
         boxes: &[Rounded],
         runs: &[(u32, u32)],
         built: &mut Packets,
     ) -> LightBuffer {
-        let cells = (boxes.len() / 2).clamp(*CELLS.start(), *CELLS.end());
+        let objects: usize = runs.iter().map(|&(_, count)| count as usize).sum();
+        let cells = (objects / 2).clamp(*CELLS.start(), *CELLS.end());
         #[allow(clippy::cast_precision_loss)] // few
         let cells = cells as f64;
         let frame = self.frame(boxes, runs, cells);
@@ -192,6 +218,10 @@ impl Point {
             if lists.are_full() {
                 break;
             }
+            if lists.visits > VISITS[0] * total as usize + VISITS[1] * objects {
+                lists.end(near);
+                break;
+            }
         }
         let base = as_number(built.light_buffers.cells.len());
         lists.append(built);
@@ -199,7 +229,7 @@ impl Point {
         for ((number, face), grid) in faces.iter_mut().enumerate().zip(&grids) {
             *face = self::face(number / 2, grid, base);
         }
-        LightBuffer { nearest: single(nearest), faces, ..cube }
+        LightBuffer { nearest: single(nearest), faces, ..buffer }
     }
 }
 
@@ -228,6 +258,8 @@ struct Lists {
     /// Cells and what they have, near ones first, in pieces: one long list would be half empty, and copied as it grows.
     found: Vec<Vec<(u32, Candidate)>>,
     full: usize,
+    /// How often a leaf was put into a cell, or was found to be there, or the cell to be full.
+    visits: usize,
 }
 
 /// Entries of a piece.
@@ -235,14 +267,27 @@ const PIECE: usize = 4096;
 
 impl Lists {
     fn new(cells: u32) -> Self {
-        Self { cells: vec![(0, u32::MAX); cells as usize], found: Vec::new(), full: 0 }
+        Self { cells: vec![(0, u32::MAX); cells as usize], found: Vec::new(), full: 0, visits: 0 }
     }
 
     fn are_full(&self) -> bool {
         self.full == self.cells.len()
     }
 
+    /// Tells all cells that are not full that there may be more leaves, none of them nearer than `near`.
+    fn end(&mut self, near: f32) {
+        for cell in 0..as_number(self.cells.len()) {
+            if let Some((count, _)) = self.cells.get_mut(cell as usize)
+                && *count <= MOST
+            {
+                *count += 1;
+                self.push(cell, Candidate::new(near, Candidate::REST));
+            }
+        }
+    }
+
     fn add(&mut self, cell: u32, leaf: u32, near: f32) {
+        self.visits += 1;
         let Some((count, last)) = self.cells.get_mut(cell as usize) else { return };
         if *last == leaf || *count > MOST {
             return;
@@ -250,11 +295,15 @@ impl Lists {
         let leaf = if *count == MOST { Candidate::REST } else { leaf };
         (*count, *last) = (*count + 1, leaf);
         self.full += usize::from(*count > MOST);
+        self.push(cell, Candidate::new(near, leaf));
+    }
+
+    fn push(&mut self, cell: u32, candidate: Candidate) {
         if self.found.last().is_none_or(|piece| piece.len() == PIECE) {
             self.found.push(Vec::with_capacity(PIECE));
         }
         if let Some(piece) = self.found.last_mut() {
-            piece.push((cell, Candidate::new(near, leaf)));
+            piece.push((cell, candidate));
         }
     }
 

@@ -91,29 +91,29 @@ impl<'a> RayPacket<'a> {
     /// Returns the cells of the eye's light buffer that the rays lead through; `None` unless all start at the eye.
     #[inline(always)]
     pub(crate) fn eye_cells(&self) -> Option<[usize; 4]> {
-        let cube = self.packets.light_buffers.buffers.first()?;
-        let ([x, y, z], slack) = (self.rays.origin, cube.slack * cube.slack);
-        let [cx, cy, cz, _] = cube.center.to_array();
+        let buffer = self.packets.light_buffers.buffers.first()?;
+        let ([x, y, z], slack) = (self.rays.origin, buffer.slack * buffer.slack);
+        let [cx, cy, cz, _] = buffer.center.to_array();
         let (x, y, z) = (Vec4::splat(cx) - x, Vec4::splat(cy) - y, Vec4::splat(cz) - z);
-        let there = (x * x + y * y + z * z).max_element() <= slack && self.rays.margin <= cube.margin;
-        if there { Some(cube.cells(self.rays.direction)) } else { None }
+        let there = (x * x + y * y + z * z).max_element() <= slack && self.rays.margin <= buffer.margin;
+        if there { Some(buffer.cells(self.rays.direction)) } else { None }
     }
 
     /// Returns the cells of a lamp's light buffer, if all rays end at the lamp with that number, and the farthest origin's distance.
     #[inline(always)]
     pub(crate) fn lamp_cells(&self, lamp: usize) -> Option<([usize; 4], f32)> {
-        let cube = self.packets.light_buffers.buffers.get(lamp + 1)?;
+        let buffer = self.packets.light_buffers.buffers.get(lamp + 1)?;
         let ([ox, oy, oz], [dx, dy, dz]) = (self.rays.origin, self.rays.direction);
-        let [cx, cy, cz, _] = cube.center.to_array();
+        let [cx, cy, cz, _] = buffer.center.to_array();
         let (x, y, z) = (Vec4::splat(cx) - ox, Vec4::splat(cy) - oy, Vec4::splat(cz) - oz);
         let along = x * dx + y * dy + z * dz;
         let (x, y, z) = (x - dx * along, y - dy * along, z - dz * along);
         let beside = (x * x + y * y + z * z).max_element();
-        let far = along + Vec4::splat(cube.slack);
-        let there = beside <= cube.slack * cube.slack
-            && self.rays.margin <= cube.margin
+        let far = along + Vec4::splat(buffer.slack);
+        let there = beside <= buffer.slack * buffer.slack
+            && self.rays.margin <= buffer.margin
             && self.rays.t_max.cmple(far).all();
-        if there { Some((cube.cells([-dx, -dy, -dz]), far.max_element())) } else { None }
+        if there { Some((buffer.cells([-dx, -dy, -dz]), far.max_element())) } else { None }
     }
 
     /// A bit for each ray that may meet item `k` of a leaf, which is no triangle.

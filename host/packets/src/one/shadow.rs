@@ -71,7 +71,7 @@ pub(super) fn is_open<S: ToF32, N: Needs>(
         }
     } else {
         let mut stack = TraversalStack::new();
-        let mut traversal = Traversal::new(query, &mut stack);
+        let mut traversal = Traversal::of_objects(query, &mut stack);
         while found.is_none()
             && let Some(leaves) = traversal.leaf()
         {

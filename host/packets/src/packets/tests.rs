@@ -7,9 +7,10 @@ use std::collections::BTreeMap;
 
 use rta_core::scene::Object;
 use rta_scenes::accelerator::solid::{Solid, solids};
-use rta_scenes::description::Description;
+use rta_scenes::description::{Description, Lamp};
 
 use super::Packets;
+use crate::light_buffer::Candidate;
 
 /// The generator of the integration tests.
 #[path = "../../tests/search/scenes.rs"]
@@ -45,11 +46,54 @@ fn walk(
     }
 }
 
+/// Returns the scene with as many visible lamps, in two rows of which one is all in one place.
+fn with_lamps(mut scene: Description, count: u32) -> Description {
+    let lamp = scene.lamps[0].clone();
+    scene.lamps = (0..count)
+        .map(|i| {
+            let x = 0.01 * f64::from(i / 2 * (i % 2));
+            Lamp { position: [x, 5.0, 12.0 + f64::from(i % 2)], radius: 0.1, ..lamp.clone() }
+        })
+        .collect();
+    scene
+}
+
+#[test]
+fn memory_for_lamps_is_bounded_and_none_is_taken_for_a_few_objects() {
+    let bytes = |objects, lamps| {
+        let packets = Packets::build::<f32>(&with_lamps(scenes::medley(objects, 9.0, 1), lamps));
+        assert_eq!(packets.lamps.is_some(), lamps > 8, "{lamps} lamps");
+        packets.light_buffers.bytes()
+    };
+    // Of 40 objects, the buffers of 60 lamps are as large as those of 6000.
+    let (few, some, many) = (bytes(40, 4), bytes(40, 60), bytes(40, 6000));
+    assert!(few < some && many < some + (1 << 20) + 6000 * 256, "{few}, {some} and {many} bytes");
+    // The eye's only.
+    let mut ball = with_lamps(scenes::medley(1, 9.0, 1), 6000);
+    (ball.cones, ball.triangles, ball.ellipsoids) = Default::default();
+    assert_eq!(Packets::build::<f32>(&ball).light_buffers.buffers.len(), 1);
+}
+
+#[test]
+fn everything_in_one_place_is_not_looked_at_for_each_direction() {
+    // A leaf for each four, and each is seen through all cells: their number must not grow with that of the objects.
+    let mut scene = scenes::cloud(20_000, 9.0, 1);
+    let first = scene.spheres[0].clone();
+    scene.spheres.fill(first);
+    let packets = Packets::build::<f32>(&scene);
+    let candidates = packets.light_buffers.candidates.len();
+    assert!(candidates <= 25 * packets.light_buffers.cells.len(), "{candidates} candidates");
+    assert!(packets.light_buffers.candidates.iter().any(|entry| entry.leaf() == Candidate::REST));
+}
+
 #[test]
 fn every_object_is_in_one_leaf_and_in_all_boxes_above_it() {
     let mut with_nodes = 0;
     for seed in 0..30 {
-        for scene in [scenes::clusters(seed), scenes::cloud(100, 20.0, seed), scenes::medley(40, 9.0, seed)] {
+        let medley = scenes::medley(40, 9.0, seed);
+        for scene in
+            [scenes::clusters(seed), scenes::cloud(100, 20.0, seed), with_lamps(medley.clone(), 60), medley]
+        {
             let packets = Packets::build::<f32>(&scene);
             let mut left = bounds(&scene);
             if packets.nodes.is_empty() {
@@ -58,7 +102,7 @@ fn every_object_is_in_one_leaf_and_in_all_boxes_above_it() {
                 }
             } else {
                 with_nodes += 1;
-                walk(&packets, 0, &mut Vec::new(), &mut |item, above| {
+                let mut see = |item, above: &[(usize, usize)]| {
                     let solid = left.remove(&item).unwrap_or_else(|| panic!("{item} twice"));
                     for (node, slot) in above {
                         for (axis, [low, high]) in packets.nodes[*node].planes.iter().enumerate() {
@@ -68,12 +112,16 @@ fn every_object_is_in_one_leaf_and_in_all_boxes_above_it() {
                             assert!(f64::from(high[*slot]) >= solid.bounds.high[axis] - slack, "{item}");
                         }
                     }
-                });
+                };
+                walk(&packets, 0, &mut Vec::new(), &mut see);
+                if let Some(root) = packets.lamps {
+                    walk(&packets, root as usize, &mut Vec::new(), &mut see);
+                }
             }
             assert!(left.is_empty(), "not in a leaf: {:?}", left.keys());
         }
     }
-    assert!(with_nodes > 75, "only {with_nodes} scenes have nodes");
+    assert!(with_nodes > 105, "only {with_nodes} scenes have nodes");
 }
 
 #[test]

@@ -4,7 +4,7 @@ use fastrand::Rng;
 use rta_core::needs::Everything;
 use rta_core::{Q16, Q20};
 use rta_packets::{Packets, ToF32};
-use rta_scenes::description::{Cylinder, Description, Surface};
+use rta_scenes::description::{Cylinder, Description, Lamp, Surface};
 use rta_scenes::narrow::{Narrow, narrow};
 
 use crate::compare::{aim, compare};
@@ -41,6 +41,20 @@ fn single_rays_meet_the_same_of_every_kind() {
     for (count, spread, rays) in [(20, 5.0, 10_000), (300, 20.0, 8000), (3000, 90.0, 1200)] {
         in_all_formats(&medley(count, spread, 11), rays);
     }
+}
+
+#[test]
+fn single_rays_meet_the_same_among_many_lamps_and_in_one_place() {
+    let mut scene = medley(300, 20.0, 11);
+    let lamp = scene.lamps.first().expect("it is lit").clone();
+    scene.lamps.extend((1..100).map(|i| {
+        let position = lamp.position.map(|c| c - 0.2 * f64::from(i));
+        Lamp { position, radius: 0.3, ..lamp.clone() }
+    }));
+    // As many as a light buffer's cells list, and more.
+    let first = scene.spheres.first().expect("there are some").clone();
+    scene.spheres.extend((0..200).map(|_| first.clone()));
+    in_all_formats(&scene, 5000);
 }
 
 /// Returns a scene all of whose things are of a size that is seen from some 1e17 away, about the origin and beside it.

@@ -1,6 +1,7 @@
 //! The arithmetic of both twins, each by its own rules.
 
 use rta_core::scalar::{Light, Magnitude, Scalar, Unit};
+use rta_packets::ToF32;
 use rta_scenes::narrow::Narrow;
 
 use super::{Bare, Format, Paired, PairedVector, UnitFormat, Value, log};
@@ -38,8 +39,17 @@ impl<S: Format> Scalar for Paired<S> {
             .noted("scale", [self.error(), factor.error()])
     }
     #[track_caller]
-    fn square(self) -> Self::Wide {
-        Paired { format: self.format.square(), twin: self.twin.square() }.noted("square", [self.error()])
+    fn product(self, other: Self) -> Self::Wide {
+        Paired { format: self.format.product(other.format), twin: self.twin * other.twin }
+            .noted("product", [self.error(), other.error()])
+    }
+    #[track_caller]
+    fn part(part: Self::Wide, whole: Self::Wide) -> Self::Unit {
+        Paired {
+            format: S::part(part.format, whole.format),
+            twin: <f64 as Scalar>::part(part.twin, whole.twin),
+        }
+        .noted("part", [part.error(), whole.error()])
     }
     #[track_caller]
     fn sqrt(square: Self::Wide) -> Self {
@@ -70,8 +80,9 @@ impl<S: Format> Scalar for Paired<S> {
         let twin = Scalar::padded(self.twin, distance.twin);
         Self { format: self.format.padded(distance.format), twin }.noted("padded", [self.error()])
     }
-    fn next_up(self) -> Self {
-        Self { format: Scalar::next_up(self.format), twin: self.twin.next_up() }
+    fn at_one_place(self, extent: Self, cosine: Self::Unit) -> Self {
+        let twin = self.twin.at_one_place(extent.twin, cosine.twin);
+        Self { format: self.format.at_one_place(extent.format, cosine.format), twin }
     }
     #[track_caller]
     fn odd_tile(self) -> bool {
@@ -112,6 +123,7 @@ impl<U: UnitFormat> Unit for Paired<U> {
     const ZERO: Self = Self { format: U::ZERO, twin: 0.0 };
     const ONE: Self = Self { format: U::ONE, twin: 1.0 };
     const LARGEST: Magnitude = U::LARGEST;
+    const ROUNDING: Self = Self { format: U::ROUNDING, twin: <f64 as Unit>::ROUNDING };
     fn size(self) -> Magnitude {
         Unit::size(self.format)
     }
@@ -212,5 +224,18 @@ impl<S: Format> Narrow for Paired<S> {
     }
     fn light_to_f64(light: Self::Light) -> f64 {
         S::light_to_f64(light.format)
+    }
+}
+
+/// The search follows the format: its numbers decide.
+impl<S: Format + ToF32> ToF32 for Paired<S> {
+    fn to_f32(self) -> f32 {
+        self.format.to_f32()
+    }
+    fn unit_to_f32(unit: Self::Unit) -> f32 {
+        S::unit_to_f32(unit.format)
+    }
+    fn margin(far: f32) -> f32 {
+        S::margin(far)
     }
 }

@@ -1,3 +1,5 @@
+use core::fmt::Write;
+
 use rta_core::Q16;
 use rta_core::ray::RayKind;
 use rta_core::scalar::{Scalar, Unit};
@@ -7,7 +9,7 @@ use rta_scenes::narrow::Narrow;
 use rta_scenes::{dat, shipped};
 
 use super::ray_tree::{HitKind, Visibility};
-use super::trail::{Pixel, lock_step, pixels};
+use super::trail::{Pixel, lock_step, pixel, pixels};
 use super::{Paired, log};
 use crate::engine::{Format, Settings};
 
@@ -142,4 +144,28 @@ fn a_trail_holds_the_ray_tree() {
     // Everything is like itself and unlike its neighbour across an edge.
     assert_eq!(center.tree.parting(&center.tree), None);
     assert_eq!(center.tree.parting(&first.tree), Some(0));
+}
+
+/// What is recorded of a pixel goes with its rays, not with the number of objects.
+#[test]
+fn a_mesh_is_searched_as_a_picture_searches_it() {
+    let mut text = String::from(
+        "b 1 1 1 v from 0 0 9 at 0 0 0 up 0 1 0 angle 40 hither 1 resolution 64 40 l 3 3 9 f .9 .9 1 .1 .3 9 .6 1.1\n",
+    );
+    for i in 0..4000 {
+        let (x, y, z) =
+            (f64::from(i % 40) / 5.0 - 4.0, f64::from(i / 40 % 40) / 5.0 - 4.0, f64::from(i / 1600));
+        let (right, up) = (x + 0.19, y + 0.19);
+        writeln!(text, "p 4 {x} {y} {z} {right} {y} {z} {right} {up} {z} {x} {up} {z}")
+            .expect("memory takes it");
+    }
+    let scene = rta_scenes::nff::read(text.as_bytes(), "mesh").expect("well formed");
+    for format in [Format::F32, Format::Q16, Format::Q20] {
+        let settings = Settings { model: crate::engine::Model::Phong, ..settings(format) };
+        let pair = lock_step(&scene, &settings, 32, 20).expect("it fits").expect("in the raster");
+        let alone = pixel(&scene, &settings, 32, 20).expect("it fits").expect("in the raster");
+        assert_eq!((pair.light, pair.tree.parting(&alone.tree)), (alone.light, None));
+        let (rays, operations) = (pair.tree.steps.len(), pair.log.operations.len());
+        assert!(rays > 10 && operations < 2000 * rays, "{format}: {operations} operations of {rays} rays");
+    }
 }

@@ -7,11 +7,15 @@
 use core::ops::Range;
 
 use rayon::prelude::*;
+use rta_core::camera::Camera;
 use rta_core::color::Rgb;
 use rta_core::illumination::Illumination;
 use rta_core::needs::Everything;
-use rta_core::raster::{Pixels, Raster};
+use rta_core::range::Admitted;
+use rta_core::raster::Raster;
+use rta_core::raster::sampling::{Center, Places};
 use rta_core::trace::Tracer;
+use rta_packets::{Packets, ShadowCache, ToF32};
 use rta_scenes::description::Description;
 use rta_scenes::narrow::narrow;
 use rta_scenes::{in_format, in_model};
@@ -38,26 +42,33 @@ pub struct Pixel {
 /// The largest levels of the guns of the three devices: mode 13h, graPHIGS, PIXRECT.
 pub const GUNS: [u8; 3] = [63, 15, 255];
 
-/// The pixels of some rows, from left to right and from top to bottom.
+/// Returns the pixels of some rows, from left to right and from top to bottom. They are traced on all cores.
 ///
 /// # Errors
 /// Whatever keeps the scene from being drawn with these settings.
 pub fn pixels(scene: &Description, settings: &Settings, rows: Range<u32>) -> Result<Vec<Pixel>, EngineError> {
-    let window = Window { rows, skip: 0, take: usize::MAX };
+    let window = Window { rows, columns: 0..settings.width };
     in_format!(settings.format, S => modelled::<S>(scene, settings, &window))
 }
 
-/// All pixels of a picture, on all cores.
+/// Returns all pixels of a picture.
 ///
 /// # Errors
 /// Whatever keeps the scene from being drawn with these settings.
 pub fn picture(scene: &Description, settings: &Settings) -> Result<Vec<Pixel>, EngineError> {
-    let row = |y| pixels(scene, settings, y..y + 1);
-    let rows: Result<Vec<_>, _> = (0..settings.height).into_par_iter().map(row).collect();
-    Ok(rows?.into_iter().flatten().collect())
+    pixels(scene, settings, 0..settings.height)
 }
 
-/// One pixel in lock step with `f64`; nothing where the raster has no such pixel.
+/// Returns one pixel; nothing where the raster has no such pixel.
+///
+/// # Errors
+/// Whatever keeps the scene from being drawn with these settings.
+pub fn pixel(scene: &Description, settings: &Settings, x: u32, y: u32) -> Result<Option<Pixel>, EngineError> {
+    let pixels = in_format!(settings.format, S => modelled::<S>(scene, settings, &Window::at(x, y)));
+    Ok(pixels?.pop())
+}
+
+/// Returns one pixel in lock step with `f64`; nothing where the raster has no such pixel.
 ///
 /// # Errors
 /// Whatever keeps the scene from being drawn with these settings.
@@ -67,19 +78,23 @@ pub fn lock_step(
     x: u32,
     y: u32,
 ) -> Result<Option<Pixel>, EngineError> {
-    let window = Window { rows: y..y.saturating_add(1), skip: x as usize, take: 1 };
-    let pixels = in_format!(settings.format, S => modelled::<Paired<S>>(scene, settings, &window));
-    Ok(if x < settings.width { pixels?.pop() } else { None })
+    let pixels = in_format!(settings.format, S => modelled::<Paired<S>>(scene, settings, &Window::at(x, y)));
+    Ok(pixels?.pop())
 }
 
-/// The pixels to trace: of some rows, `take` pixels after the first `skip`.
+/// The pixels to trace, as far as the raster has them.
 struct Window {
     rows: Range<u32>,
-    skip: usize,
-    take: usize,
+    columns: Range<u32>,
 }
 
-fn modelled<S: Readable>(
+impl Window {
+    const fn at(x: u32, y: u32) -> Self {
+        Self { rows: y..y.saturating_add(1), columns: x..x.saturating_add(1) }
+    }
+}
+
+fn modelled<S: Readable + ToF32>(
     scene: &Description,
     settings: &Settings,
     window: &Window,
@@ -87,28 +102,40 @@ fn modelled<S: Readable>(
     in_model!(settings.model, model => watched::<S, _>(scene, settings, window, model))
 }
 
-fn watched<S: Readable, M: Illumination<S>>(
+/// The objects are searched for as in a picture: what a hierarchy leaves out decides nothing in it, is none of its branches, and
+/// would take the time of a ray's way through all of a large scene, and the memory of all its operations.
+fn watched<S: Readable + ToF32, M: Illumination<S> + Sync>(
     scene: &Description,
     settings: &Settings,
     window: &Window,
     model: M,
 ) -> Result<Vec<Pixel>, EngineError> {
     let raster = Raster::new(settings.width, settings.height)?;
-    let scene = narrow::<S>(scene, settings.aspect)?;
-    // One object after the other: what a hierarchy leaves out decides nothing in a picture, so its decisions are none of the
-    // picture's branches.
-    let admitted = scene.scene().admit(&scene.camera).map_err(rta_core::Error::from)?;
-    let tracer = Tracer::<S, _, Everything, { MAX_DEPTH as usize }>::new(admitted, model, settings.depth)?;
-    let mut traced = Pixels::rows(&tracer, &scene.camera, raster, window.rows.start, window.rows.end);
-    let mut recorder = Recorder::new(&scene.scene());
-    let mut pixels = Vec::new();
-    for _ in traced.by_ref().take(window.skip) {}
-    while pixels.len() < window.take {
-        let (light, log) = log::record(|| traced.next_observed(&mut recorder));
-        let Some(light) = light else { break };
-        let tree = core::mem::take(&mut recorder.tree);
-        let Rgb { r, g, b } = light.map(Value::value);
-        pixels.push(Pixel { light: [r, g, b], levels: GUNS.map(|max| light.levels(max)), tree, log });
-    }
-    Ok(pixels)
+    let narrowed = narrow::<S>(scene, settings.aspect)?;
+    let limits = narrowed.scene().admit(&narrowed.camera).map_err(rta_core::Error::from)?.limits;
+    let depth = u8::try_from(settings.depth).unwrap_or(u8::MAX);
+    narrowed.scene().weight(depth).check().map_err(rta_core::Error::from)?;
+    let packets = Packets::build::<S>(scene);
+    let admitted = Admitted::baked(narrowed.scene(), limits, &packets);
+    let tracer = Tracer::<S, _, Everything, { MAX_DEPTH as usize }, _>::new(admitted, model, settings.depth)?;
+    let rows = window.rows.start..window.rows.end.min(raster.height());
+    let row = |y: u32| -> Vec<Pixel> {
+        let mut recorder = Recorder::new(&narrowed.scene());
+        let row = Places::row::<S::Unit>(&Center, raster, y);
+        let columns = window.columns.start..window.columns.end.min(raster.width());
+        let pixels = columns.map(|x| {
+            let (light, log) = log::record(|| {
+                let (right, up) = Center.place(raster, row, x, 0);
+                let Camera { eye, .. } = narrowed.camera;
+                let direction = narrowed.camera.direction(right, up);
+                // Nothing is kept from pixel to pixel, so that each is explained by itself.
+                tracer.trace(eye, direction, &mut ShadowCache::default(), &mut recorder)
+            });
+            let tree = core::mem::take(&mut recorder.tree);
+            let Rgb { r, g, b } = light.map(Value::value);
+            Pixel { light: [r, g, b], levels: GUNS.map(|max| light.levels(max)), tree, log }
+        });
+        pixels.collect()
+    };
+    Ok(rows.into_par_iter().flat_map_iter(row).collect())
 }

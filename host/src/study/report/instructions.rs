@@ -12,7 +12,7 @@ use super::setting::{Limit, Method, samplings};
 use crate::args::InstructionsArgs;
 use crate::engine::EngineError;
 use crate::engine::callgrind::{self, CountError};
-use crate::request::error::{Hint, RequestError};
+use crate::request::error::RequestError;
 use crate::request::scene_file::SceneFile;
 use crate::study::error::StudyError;
 
@@ -46,7 +46,7 @@ pub fn order() -> impl Iterator<Item = (Method, Limit)> {
 /// Those of reading a scene and making it ready.
 pub fn run(args: &InstructionsArgs) -> Result<(), StudyError> {
     let scene = SceneFile::open(Path::new("-"))?;
-    let failed = |source| RequestError::Engine { name: scene.source.clone(), source, fit: Hint::None };
+    let failed = |source| RequestError::Engine { name: scene.source.clone(), source };
     let raster =
         Raster::new(args.size.width(), args.size.height()).map_err(EngineError::from).map_err(failed)?;
     for (method, limit) in order() {

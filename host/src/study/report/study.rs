@@ -19,7 +19,7 @@ use crate::engine::progress::Progress;
 use crate::engine::{EngineError, Format};
 use crate::picture::device::Device;
 use crate::picture::raster::Size;
-use crate::request::error::{Hint, RequestError};
+use crate::request::error::RequestError;
 use crate::study::error::StudyError;
 use rta_packets::tally::Rays;
 
@@ -150,7 +150,7 @@ fn ready(source: &Source, setup: Setup, format: Format) -> Result<Box<dyn Bench>
 }
 
 fn failed(source: &Source) -> impl Fn(EngineError) -> StudyError {
-    |error| RequestError::Engine { name: source.scene.source.clone(), source: error, fit: Hint::None }.into()
+    |error| RequestError::Engine { name: source.scene.source.clone(), source: error }.into()
 }
 
 fn raster(source: &Source, setup: Setup) -> Result<Raster, StudyError> {
