@@ -23,16 +23,19 @@ impl Reader<'_> {
         let mut ahead = self.tokens.clone();
         let rest = core::iter::from_fn(|| ahead.next().filter(|token| token.line == line));
         let (mut numbers, mut words) = (0, 0);
-        let mut is_zero = true;
+        // The least and the greatest number of the line.
+        let (mut least, mut greatest) = (0.0_f64, 0.0_f64);
         for token in rest {
             *(if token.is_like_a_number() { &mut numbers } else { &mut words }) += 1;
-            is_zero &= token.text.parse() == Ok(0.0);
+            let number = token.text.parse().unwrap_or(f64::INFINITY);
+            (least, greatest) = (least.min(number), greatest.max(number));
         }
         let is_word = !entity.is_like_a_number();
         // What has no effect on the picture, or asks for what is so anyway.
         let is_harmless = match lower {
             "accel" | "focal" => true,
-            "aperture" => is_zero,
+            "aperture" => least >= 0.0 && greatest <= 0.0,
+            "spp" => least >= 0.0 && greatest <= 1.0,
             _ => false,
         };
         let is_known = is_harmless || matches!(lower, "tess" | "spp" | "aperture");

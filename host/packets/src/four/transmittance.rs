@@ -88,7 +88,7 @@ impl Packets {
         if N::CYLINDERS {
             self.pass_columns::<N>(world, &four, &mut shadows);
         }
-        if N::PLANES {
+        if N::PLANES && !world.scene.planes.is_empty() {
             pass_planes::<N>(world, &mut shadows);
         }
         let left = self.pass_leaves::<N>(world, &four, lamp, &mut shadows);
@@ -220,7 +220,7 @@ impl Packets {
 }
 
 /// Asks the infinite planes.
-#[inline(always)]
+#[inline(never)] // no ray of a scene without planes prepares for it
 fn pass_planes<N: Needs>(world: &World<'_, f32>, shadows: &mut Shadows) {
     for (i, plane) in (0..).zip(world.scene.planes) {
         for k in Bits(shadows.open) {

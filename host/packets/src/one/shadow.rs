@@ -51,15 +51,8 @@ pub(super) fn is_open<S: ToF32, N: Needs>(
             }
         }
     }
-    if N::PLANES {
-        for (i, plane) in (0..).zip(world.scene.planes) {
-            if plane.intersect(ray, t_max).is_some() {
-                match transmitted::<S, N>(&plane.material) {
-                    Some(kt) => filters.add(Object::Plane(i), kt),
-                    None => return false,
-                }
-            }
-        }
+    if N::PLANES && !world.scene.planes.is_empty() && !planes_are_open::<S, N>(world, ray, t_max, filters) {
+        return false;
     }
     let mut found = None;
     if packets.nodes.is_empty() {
@@ -89,6 +82,25 @@ pub(super) fn is_open<S: ToF32, N: Needs>(
         *last = found;
     }
     found.is_none()
+}
+
+/// Returns whether no opaque plane is on the way of a shadow ray, and adds the transparent ones.
+#[inline(never)] // no ray of a scene without planes prepares for it
+fn planes_are_open<S: ToF32, N: Needs>(
+    world: &World<'_, S>,
+    ray: &Ray<S>,
+    t_max: S,
+    filters: &mut Filters<S>,
+) -> bool {
+    for (i, plane) in (0..).zip(world.scene.planes) {
+        if plane.intersect(ray, t_max).is_some() {
+            match transmitted::<S, N>(&plane.material) {
+                Some(kt) => filters.add(Object::Plane(i), kt),
+                None => return false,
+            }
+        }
+    }
+    true
 }
 
 /// Returns the first object of some leaves that lets nothing through, or none; adds what the others let through.

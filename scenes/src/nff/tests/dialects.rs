@@ -52,7 +52,7 @@ fn what_changes_nothing_is_passed_over_with_a_warning() {
         );
     }
     for text in [
-        "accel 0\nfocal 1\naperture 0",
+        "accel 0\nfocal 1\naperture 0\nspp 1\nspp 0",
         "fp 1 1 1 1 0 1 0 1",
         "F 1 1 1 1 0 1 0 1",
         "bclr 0 0 .5",
