@@ -40,7 +40,7 @@ impl<S: Scalar> Surface<'_, S> {
         }
     }
 
-    /// Returns whether a direction leads behind the surface, or along it.
+    /// Returns whether a lamp is behind the surface, or in its plane.
     pub fn is_behind<N: Needs>(&self, incident: &Incident<S>) -> bool {
         let zero = S::Unit::ZERO;
         match self.face {

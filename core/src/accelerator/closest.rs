@@ -20,8 +20,8 @@ const OTHERS: usize = 3;
 ///
 /// Flat surfaces at one place, such as polygons of one plane, are hit at distances that differ by roundings. If the nearest
 /// alone counted, their colours would alternate at random. So of all flat objects that lie no farther behind the nearest hit,
-/// itself of a flat object, than [`Scalar::at_one_place`], the first in order of [`Object`] is seen. Neither the set nor the
-/// order depends on the order of the search. Curved surfaces cross along a line, and need no such rule.
+/// itself of a flat object, than [`Scalar::at_one_place`], the first in order of [`Object`] is seen. That does not depend on the
+/// order of the search, unless more than four flat objects lie there. Curved surfaces cross along a line, and need no such rule.
 #[derive(Clone, Debug)]
 pub struct Closest<S: Scalar> {
     /// The nearest hit; of equally near ones, the first in order.
@@ -66,9 +66,14 @@ impl<S: Scalar> Closest<S> {
     }
 
     fn keep<N: Needs>(&mut self, hit: Hit<S>) {
-        if N::TRIANGLES
-            && is_flat(hit.object)
-            && let Err(hit) = self.others.push(hit)
+        if !can_coincide::<N>() || !is_flat(hit.object) {
+            return;
+        }
+        if self.others.is_full() {
+            let limit = self.limit;
+            self.others.retain(|other| other.distance < limit);
+        }
+        if let Err(hit) = self.others.push(hit)
             && let Some(last) = self.others.iter_mut().max_by_key(|hit| hit.object)
             && hit.object < last.object
         {
@@ -80,7 +85,7 @@ impl<S: Scalar> Closest<S> {
     #[inline]
     pub fn seen<N: Needs>(&self, scene: &Scene<'_, S>, ray: &Ray<S>) -> Option<Hit<S>> {
         let nearest = self.nearest?;
-        let is_alone = !N::TRIANGLES || self.others.is_empty() || !is_flat(nearest.object);
+        let is_alone = !can_coincide::<N>() || self.others.is_empty() || !is_flat(nearest.object);
         Some(if is_alone { nearest } else { self.first(nearest, scene, ray) })
     }
 
@@ -100,6 +105,11 @@ impl<S: Scalar> Closest<S> {
 
 /// A surface that is seen at a smaller cosine than one over this counts as if it were seen at that.
 const STEEPEST: i64 = 128;
+
+/// Returns whether a program can draw two flat objects at one place: the floor and another, or two others.
+const fn can_coincide<N: Needs>() -> bool {
+    N::TRIANGLES || N::PLANES
+}
 
 /// Returns whether an object is flat.
 const fn is_flat(object: Object) -> bool {

@@ -12,7 +12,8 @@ use crate::surface::Surface;
 /// `I = Ia C ka + kd sum (N.L) C I + ks (I_ref + sum (N.H)^n I) + kt I_tra`
 ///
 /// Lamps are not attenuated; an intensity above 1 counts as 1 where it is made for the square law
-/// ([`Lamp::square_law`](crate::light::Lamp::square_law)). Mirrors are colourless. The thesis's materials have no coefficients, so the model supplies them:
+/// ([`Lamp::square_law`](crate::light::Lamp::square_law)). Mirrors are colourless. The thesis's materials have no
+/// coefficients, so the model supplies them:
 ///
 /// | material | ka | kd | ks | kt |
 /// | --- | --- | --- | --- | --- |

@@ -15,7 +15,7 @@ pub enum Quantity {
     Distance,
     /// A distance to a place of the floor, and a coordinate of that place.
     Reach,
-    /// The height up to which vertical cylinders are seen, and down to its negative; 0 where there are none.
+    /// The height beyond which vertical cylinders are lit as if they were there, up and down; 0 where there are none.
     CylinderEnd,
     /// The square of a distance.
     Square,

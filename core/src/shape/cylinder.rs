@@ -53,7 +53,7 @@ impl<S: Scalar> Primitive<S> for Cylinder<S> {
 
     fn point<N: Needs>(&self, ray: &Ray<S>, t: S) -> SurfacePoint<S> {
         let Some(GroundPlan { direction: plan, cylinder_end: end }) = ray.plan else {
-            // A vertical ray meets no cylinder.
+            // It is vertical, or was never to meet a cylinder.
             return SurfacePoint {
                 distance: t,
                 point: ray.origin.along(ray.direction, t),

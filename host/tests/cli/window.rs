@@ -45,7 +45,7 @@ fn differing(a: &[u32], b: &[u32]) -> Option<([usize; 2], [usize; 2], usize)> {
     Some((range(|at| at % 960)?, range(|at| at / 960)?, places.len()))
 }
 
-/// The same picture without a window, for what the library draws over it.
+/// A picture that is drawn without a window, for what the library draws over it.
 fn show(folder: &Folder) -> Show {
     let scene = Scene::open(&folder.path("scene.dat")).unwrap();
     let args = ShowArgs::default();

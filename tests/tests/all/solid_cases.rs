@@ -6,8 +6,11 @@
 use core::f64::consts::PI;
 
 use rta::engine::{Format, Settings};
+use rta_core::illumination::Phong;
+use rta_core::needs::Everything;
 use rta_scenes::description::{Camera, Cylinder, Description, Lamp, Sky, Surface};
 use rta_scenes::model::Model;
+use rta_tests::exact::Exact;
 use rta_tests::picture::{render, share_within};
 
 type Color = [f64; 3];
@@ -152,4 +155,47 @@ fn inside(eye: Color, view: Color) -> Description {
     scene.cylinders.push(Cylinder { position: [0.0; 3], color, radius: 2867.0, surface, line: 0 });
     scene.lamps.push(Lamp { position: [9.0, 3.0, 2.0], color: [1e6; 3], radius: 0.0, line: 0 });
     scene
+}
+
+/// Two polygons of one slanted plane, each cut from other corners: the first in the file is seen everywhere, in every format and
+/// by every search; the second, where it is nearer.
+#[test]
+fn of_polygons_in_one_place_the_first_is_seen() {
+    let corners = [[-3.0, 0.1, -2.0], [3.1, 1.7, -2.2], [3.0, 3.3, 1.9], [-3.1, 1.7, 2.1]];
+    // All in one plane, to within the digits of an f64.
+    let [a, b, _, d] = corners;
+    let c = [0, 1, 2].map(|i| b[i] + d[i] - a[i]);
+    let polygon = |corners: [Color; 4], color: &str| {
+        let corners = corners.map(|[x, y, z]| format!("{x} {y} {z}\n")).concat();
+        format!("f {color} 1 0 1 0 1\np 4\n{corners}")
+    };
+    let view =
+        "b 0 0 1\nv from 0.3 -7 0.4 at 0 1.5 0 up 0 0 1 angle 50 hither 0 resolution 64 64\nl 0.3 -7 0.4\n";
+    let nearer = [b, c, d, a].map(|[x, y, z]| [x, y - 1.0 / 256.0, z]);
+    for (first, second, other, seen) in [
+        ("1 0 0", "0 1 0", [b, c, d, a], 0),
+        ("0 1 0", "1 0 0", [b, c, d, a], 1),
+        ("1 0 0", "0 1 0", nearer, 1),
+    ] {
+        let text = view.to_owned() + &polygon([a, b, c, d], first) + &polygon(other, second);
+        let scene = rta_scenes::read(text.as_bytes(), "coincident.nff").expect("it is right");
+        for &format in Format::ALL {
+            let settings = Settings {
+                format,
+                width: 64,
+                height: 64,
+                aspect: 1.0,
+                model: Model::Phong,
+                ..Settings::default()
+            };
+            let picture = render(&scene, &settings).expect("it fits");
+            let of = |gun: usize| picture.iter().filter(|pixel| pixel[gun] > 0.0).count();
+            // The rim of the one that is farther away may look out by a pixel.
+            let most = if other == nearer { 64 } else { 0 };
+            assert!(of(seen) > 800 && of(1 - seen) <= most, "{format}: {} and {} pixels", of(0), of(1));
+        }
+        let exact = Exact::new(&scene, 64, 64);
+        let listed = exact.picture::<_, Everything>(Phong::default(), 5);
+        assert!(listed == exact.searched::<_, Everything>(exact.packets(), Phong::default(), 5));
+    }
 }

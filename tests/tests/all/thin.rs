@@ -3,6 +3,8 @@
 
 #![allow(clippy::indexing_slicing, reason = "a test may panic")]
 
+use core::f64::consts::TAU;
+
 use fastrand::Rng;
 use rta_core::needs::Everything;
 use rta_core::ray::Ray;
@@ -11,40 +13,29 @@ use rta_core::shape::Primitive;
 use rta_core::vector::{LengthVector, UnitVec3, UnitVector, Vec3, Vector};
 use rta_scenes::description::{Camera, Cone, Description, Surface, Triangle};
 use rta_scenes::narrow::{Narrowed, narrow};
+use rta_scenes::space::{self, Triple, cross, difference, dot};
 use rta_tests::measure::{Measure, direction, place};
-
-type Triple = [f64; 3];
-
-fn minus(a: Triple, b: Triple) -> Triple {
-    [0, 1, 2].map(|i| a[i] - b[i])
-}
 
 fn along(a: Triple, d: Triple, t: f64) -> Triple {
     [0, 1, 2].map(|i| a[i] + t * d[i])
 }
 
-fn cross(a: Triple, b: Triple) -> Triple {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-}
-
 fn unit(v: Triple) -> Triple {
-    let length = v.iter().map(|c| c * c).sum::<f64>().sqrt();
-    v.map(|c| c / length)
+    space::unit(v).expect("it has a length")
 }
 
 /// Returns a random direction.
 fn random(rng: &mut Rng) -> Triple {
     loop {
         let v = [(); 3].map(|()| 2.0 * rng.f64() - 1.0);
-        let square = v.iter().map(|c| c * c).sum::<f64>();
-        if square > 0.01 && square < 1.0 {
+        if (0.01..1.0).contains(&dot(v, v)) {
             return unit(v);
         }
     }
 }
 
 fn ray<S: Measure>(from: Triple, to: Triple) -> Ray<S> {
-    let way: UnitVec3<S> = direction::<S>(minus(to, from));
+    let way: UnitVec3<S> = direction::<S>(difference(to, from));
     Ray::new(place::<S>(from), way.normalize().expect("it has a length").0)
 }
 
@@ -137,7 +128,7 @@ fn no_rim_leaks<S: Measure>(name: &str) {
                 let rim = along(along([0.0; 3], axis, 8.0), across, radius);
                 // From the rim inwards, by as much along the axis as across.
                 let inner = along(along(rim, axis, -0.3 * radius), across, -0.5 * radius);
-                let from = along(rim, minus(rim, inner), 20.0 / radius);
+                let from = along(rim, difference(rim, inner), 20.0 / radius);
                 let is_met = scene.scene().cones[0].intersect(&ray::<S>(from, inner), S::FAR).is_some();
                 leaks += u32::from(!is_met);
             }
@@ -183,7 +174,7 @@ fn no_crack<S: Measure>(name: &str) {
             let (axis, hub) = (random(&mut rng), random(&mut rng));
             let (u, v) = (unit(cross(axis, hub)), unit(cross(axis, unit(cross(axis, hub)))));
             let rim = |k: u32| {
-                let angle = f64::from(k % 7) * core::f64::consts::TAU / 7.0;
+                let angle = f64::from(k % 7) * TAU / 7.0;
                 along(along(hub, u, angle.cos()), v, angle.sin())
             };
             let scene = triangles::<S>((0..7).map(|k| [hub, rim(k), rim(k + 1)]));
