@@ -177,7 +177,7 @@ fn render<S: Narrow, M: Illumination<S>>(narrowed: &Narrowed<S>, model: M, depth
     let tracer: Tracer<_, _, Everything, 8> = Tracer::new(admitted, model, depth).expect("no deeper than 8");
     let raster = Raster::new(7, 5).expect("a small one");
     for light in Pixels::new(&tracer, &narrowed.camera, raster) {
-        let Rgb { r, g, b } = light.map(S::widen);
+        let Rgb { r, g, b } = light.map(S::light_to_f64);
         assert!([r, g, b].iter().all(|part| part.is_finite() && *part >= 0.0), "{} {r} {g} {b}", S::NAME);
     }
 }
