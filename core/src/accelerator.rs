@@ -12,7 +12,6 @@ use core::ops::ControlFlow;
 
 pub use bvh::{Bvh, Node};
 pub use closest::Closest;
-use closest::Search;
 pub use transmittance::{Filters, transmitted};
 
 use crate::needs::Needs;
@@ -60,12 +59,7 @@ pub trait Accelerator<S: Scalar>: Copy + Send + Sync {
         ray: &Ray<S>,
         _memory: &mut Self::Memory,
     ) -> Option<Hit<S>> {
-        let mut search = Search::<_, N>::new(ray, world.floor::<N>(ray));
-        let _ = self.candidates::<N>(&world.scene, ray, &mut search);
-        if N::VISIBLE_LAMPS {
-            search.add_lamps(world.scene.lamps);
-        }
-        search.closest.seen::<N>(&world.scene, ray)
+        closest::closest::<S, N, _>(self, &world.scene, ray, world.floor::<N>(ray))
     }
 
     /// Returns the part, 0 to 1, of the light of lamp number `lamp` that passes along a shadow ray of length `t_max`: 0 where an

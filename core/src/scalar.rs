@@ -103,6 +103,9 @@ pub trait Scalar:
     /// the ray.
     fn padded(self, distance: Self) -> Self;
 
+    /// Returns the next larger length, for a finite `self` of 0 or more; `self` where there is none.
+    fn next_up(self) -> Self;
+
     /// Returns the distance, at most [`Scalar::FAR`], up to which hits cannot be told from one at the distance `self`: that of a
     /// surface at the same place is farther by no more than its and this one's rounding. `extent` is the size of the other
     /// object, `cosine`, above 0, that of the angle between the ray and its normal.

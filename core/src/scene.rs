@@ -133,6 +133,14 @@ macro_rules! lists {
                 }
             }
 
+            /// Returns the unit normal of a flat object whose normals are interpolated; `None` for others.
+            pub fn face<N: Needs>(&self, object: Object) -> Option<UnitVec3<S>> {
+                match object {
+                    $(Object::$Kind(i) if N::$NEED => self.$list.get(index(i)).and_then(Primitive::face),)+
+                    _ => None,
+                }
+            }
+
             /// Calls `see` with each object of the lists and its look, in order of [`Object`]; floor and lamps are left out.
             pub fn looks(&self, mut see: impl FnMut(Object, Look<'a, S>)) {
                 $((0..).zip(self.$list).for_each(|(i, object)| see(Object::$Kind(i), object.look()));)+

@@ -44,6 +44,11 @@ pub trait Primitive<S: Scalar> {
     /// Returns the object's colour, material and bounding sphere.
     fn look(&self) -> Look<'_, S>;
 
+    /// Returns the unit normal of a flat object whose [`SurfacePoint::normal`] is interpolated; `None` for others.
+    fn face(&self) -> Option<UnitVec3<S>> {
+        None
+    }
+
     /// Sets in `used` what the object needs to be compiled in besides its own kind.
     fn note_needs(&self, _used: &mut Used) {}
 }
@@ -57,8 +62,6 @@ pub struct SurfacePoint<S: Scalar> {
     pub point: Vec3<S>,
     /// The unit normal, which points outwards.
     pub normal: UnitVec3<S>,
-    /// Where `normal` is interpolated, the unit normal of the flat face itself, on the same side of the ray.
-    pub face: Option<UnitVec3<S>>,
 }
 
 /// An object's colour, material and bounding sphere.

@@ -149,6 +149,7 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Acceler
         observer.ray(branch.kind, branch.depth, &current.start);
         let ray = self.ray(current.start);
         let hit = scene.accelerator().closest::<N>(scene, &ray, memory);
+        let ray = if A::WITH_PLAN { ray } else { scene.planned::<N>(ray, hit.as_ref()) };
         let surface = match scene.seen::<N>(&ray, hit) {
             Seen::Light(light) => {
                 observer.hit(hit.as_ref(), None);

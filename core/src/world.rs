@@ -36,12 +36,19 @@ impl<'a, S: Scalar> World<'a, S> {
         if has_cylinders { ray.with_plan(self.limits.cylinder_end) } else { ray }
     }
 
+    /// Returns a ray with its plan where it needs one for [`World::seen`]: where its nearest hit is a vertical cylinder. It is for
+    /// rays that were searched for without a plan.
+    pub fn planned<N: Needs>(&self, ray: Ray<S>, hit: Option<&Hit<S>>) -> Ray<S> {
+        let is_cylinder = |hit: &Hit<S>| N::CYLINDERS && matches!(hit.object, Object::Cylinder(_));
+        if hit.is_some_and(is_cylinder) { ray.with_plan(self.limits.cylinder_end) } else { ray }
+    }
+
     /// Returns the distance at which a ray meets the floor, if there is a floor and the ray meets it.
     pub fn floor<N: Needs>(&self, ray: &Ray<S>) -> Option<S> {
         if N::FLOOR { self.scene.floor.as_ref().and_then(|floor| floor.intersect(ray)) } else { None }
     }
 
-    /// Returns what is seen along a ray whose nearest hit is `hit`.
+    /// Returns what is seen along a ray, with its plan if that is a vertical cylinder, whose nearest hit is `hit`.
     #[cfg_attr(not(target_os = "none"), inline(always))]
     pub fn seen<N: Needs>(&self, ray: &Ray<S>, hit: Option<Hit<S>>) -> Seen<'a, S> {
         let Some(Hit { distance, object }) = hit else { return self.sky::<N>(ray) };
@@ -56,27 +63,20 @@ impl<'a, S: Scalar> World<'a, S> {
                 let (point, color) = floor.point(ray, distance, self.limits.floor_end);
                 (point, color, &Material::Opaque, S::ZERO)
             }),
-            _ => {
-                let is_cylinder = N::CYLINDERS && matches!(object, Object::Cylinder(_));
-                let planned;
-                let ray = if is_cylinder && ray.plan.is_none() {
-                    planned = self.ray::<N>(ray.origin, ray.direction);
-                    &planned
-                } else {
-                    ray
-                };
-                self.scene.point::<N>(object, ray, distance).map(|(point, look)| {
-                    let Look { color, material, extent, .. } = look;
-                    (point, color, material, extent)
-                })
-            }
+            _ => self.scene.point::<N>(object, ray, distance).map(|(point, look)| {
+                let Look { color, material, extent, .. } = look;
+                (point, color, material, extent)
+            }),
         };
         let Some((spot, color, material, extent)) = found else {
             return self.sky::<N>(ray);
         };
-        let SurfacePoint { distance, point, normal, face } = spot;
+        let SurfacePoint { distance, point, normal } = spot;
         let inside = normal.dot(ray.direction) > S::Unit::ZERO;
-        let (normal, face) = if inside { (-normal, face.map(|face| -face)) } else { (normal, face) };
+        let normal = if inside { -normal } else { normal };
+        // It is on the same side of the ray.
+        let face = if N::NORMALS { self.scene.face::<N>(object) } else { None };
+        let face = face.map(|face| if inside { -face } else { face });
         let incoming = ray.direction;
         Seen::Surface(Surface { point, normal, face, incoming, distance, inside, extent, color, material })
     }

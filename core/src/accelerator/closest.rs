@@ -5,7 +5,7 @@ use core::ops::ControlFlow;
 
 use heapless::Vec;
 
-use crate::light::Lamp;
+use super::Accelerator;
 use crate::needs::Needs;
 use crate::ray::Ray;
 use crate::scalar::vector::{UnitVector, Vector};
@@ -13,17 +13,15 @@ use crate::scalar::{Scalar, Unit};
 use crate::scene::{Hit, Object, Scene, Visit, index};
 use crate::shape::{Primitive, Sphere};
 
-/// How many hits are kept besides the nearest one.
-const OTHERS: usize = 3;
-
 /// The hits of a ray that may be seen, of objects that come in any order.
 ///
 /// Flat surfaces at one place, such as polygons of one plane, are hit at distances that differ by roundings. If the nearest
 /// alone counted, their colours would alternate at random. So of all flat objects that lie no farther behind the nearest hit,
 /// itself of a flat object, than [`Scalar::at_one_place`], the first in order of [`Object`] is seen. That does not depend on the
-/// order of the search, unless more than four flat objects lie there. Curved surfaces cross along a line, and need no such rule.
+/// order of the search, unless more than `OTHERS` + 1 flat objects lie there. Curved surfaces cross along a line, and need no
+/// such rule; a program that draws nothing else takes no `OTHERS`.
 #[derive(Clone, Debug)]
-pub struct Closest<S: Scalar> {
+pub struct Closest<S: Scalar, const OTHERS: usize = 3> {
     /// The nearest hit; of equally near ones, the first in order.
     nearest: Option<Hit<S>>,
     /// Hits that may lie at its place; of too many, those that are first in order.
@@ -31,7 +29,7 @@ pub struct Closest<S: Scalar> {
     limit: S,
 }
 
-impl<S: Scalar> Closest<S> {
+impl<S: Scalar, const OTHERS: usize> Closest<S, OTHERS> {
     /// Starts with no hit.
     #[allow(clippy::new_without_default, reason = "one way is enough")]
     pub const fn new() -> Self {
@@ -43,30 +41,45 @@ impl<S: Scalar> Closest<S> {
         self.limit
     }
 
-    /// Adds a hit.
+    /// Adds a hit nearer than [`Closest::limit`].
     #[inline]
-    pub fn offer<N: Needs>(&mut self, hit: Hit<S>) {
+    pub fn offer(&mut self, hit: Hit<S>) {
         match self.nearest {
             Some(nearest) if (nearest.distance, nearest.object) <= (hit.distance, hit.object) => {
-                self.keep::<N>(hit);
+                self.keep(hit);
             }
             nearest => {
                 self.nearest = Some(hit);
+                if OTHERS == 0 {
+                    // An equally near object may come first in order.
+                    self.limit = hit.distance.next_up();
+                    return;
+                }
                 self.limit = hit.distance.at_one_place(S::ZERO, S::Unit::ratio(1, STEEPEST));
                 if let Some(nearest) = nearest {
                     // What is as far away as the old one, or farther, counts only if that does.
                     if nearest.distance >= self.limit {
                         self.others.clear();
                     } else {
-                        self.keep::<N>(nearest);
+                        self.keep(nearest);
                     }
                 }
             }
         }
     }
 
-    fn keep<N: Needs>(&mut self, hit: Hit<S>) {
-        if !can_coincide::<N>() || !is_flat(hit.object) {
+    /// Adds a hit nearer than [`Closest::limit`] of an object that comes after all others so far in order of [`Object`].
+    #[inline]
+    fn offer_last(&mut self, hit: Hit<S>) {
+        if OTHERS == 0 {
+            (self.nearest, self.limit) = (Some(hit), hit.distance);
+        } else {
+            self.offer(hit);
+        }
+    }
+
+    fn keep(&mut self, hit: Hit<S>) {
+        if !is_flat(hit.object) {
             return;
         }
         if self.others.is_full() {
@@ -83,9 +96,9 @@ impl<S: Scalar> Closest<S> {
 
     /// Returns the hit that is seen, if there is one.
     #[inline]
-    pub fn seen<N: Needs>(&self, scene: &Scene<'_, S>, ray: &Ray<S>) -> Option<Hit<S>> {
+    pub fn seen(&self, scene: &Scene<'_, S>, ray: &Ray<S>) -> Option<Hit<S>> {
         let nearest = self.nearest?;
-        let is_alone = !can_coincide::<N>() || self.others.is_empty() || !is_flat(nearest.object);
+        let is_alone = self.others.is_empty() || !is_flat(nearest.object);
         Some(if is_alone { nearest } else { self.first(nearest, scene, ray) })
     }
 
@@ -105,11 +118,6 @@ impl<S: Scalar> Closest<S> {
 
 /// A surface that is seen at a smaller cosine than one over this counts as if it were seen at that.
 const STEEPEST: i64 = 128;
-
-/// Returns whether a program can draw two flat objects at one place: the floor and another, or two others.
-const fn can_coincide<N: Needs>() -> bool {
-    N::TRIANGLES || N::PLANES
-}
 
 /// Returns whether an object is flat.
 const fn is_flat(object: Object) -> bool {
@@ -133,37 +141,55 @@ fn slope<S: Scalar>(scene: &Scene<'_, S>, hit: Hit<S>, ray: &Ray<S>) -> (S::Unit
     (if size > least { size } else { least }, extent)
 }
 
-/// The visitor that finds the nearest hit.
-pub(super) struct Search<'r, S: Scalar, N> {
-    ray: &'r Ray<S>,
-    pub(super) closest: Closest<S>,
-    needs: PhantomData<N>,
+/// Returns the hit that is seen along a ray, if there is one, of the floor, which the ray meets at the distance `floor`, of the
+/// candidates of an accelerator, and of visible lamps.
+pub(super) fn closest<S: Scalar, N: Needs, A: Accelerator<S>>(
+    accelerator: &A,
+    scene: &Scene<'_, S>,
+    ray: &Ray<S>,
+    floor: Option<S>,
+) -> Option<Hit<S>> {
+    // Whether a program can draw two flat objects at one place: the floor and another, or two others.
+    if N::TRIANGLES || N::PLANES {
+        search::<S, N, A, 3>(accelerator, scene, ray, floor)
+    } else {
+        search::<S, N, A, 0>(accelerator, scene, ray, floor)
+    }
 }
 
-impl<'r, S: Scalar, N: Needs> Search<'r, S, N> {
-    /// Starts the search for a ray that meets the floor at the distance `floor`, if at all.
-    pub(super) fn new(ray: &'r Ray<S>, floor: Option<S>) -> Self {
-        let mut closest = Closest::new();
-        if let Some(distance) = floor {
-            closest.offer::<N>(Hit { distance, object: Object::Floor });
-        }
-        Self { ray, closest, needs: PhantomData }
+fn search<S: Scalar, N: Needs, A: Accelerator<S>, const OTHERS: usize>(
+    accelerator: &A,
+    scene: &Scene<'_, S>,
+    ray: &Ray<S>,
+    floor: Option<S>,
+) -> Option<Hit<S>> {
+    let mut search = Search::<S, A, OTHERS> { ray, closest: Closest::new(), accelerator: PhantomData };
+    if let Some(distance) = floor {
+        search.closest.offer_last(Hit { distance, object: Object::Floor });
     }
-
-    /// Adds the hits of visible lamps.
-    pub(super) fn add_lamps(&mut self, lamps: &[Lamp<S>]) {
-        for (i, lamp) in (0..).zip(lamps) {
+    let _ = accelerator.candidates::<N>(scene, ray, &mut search);
+    if N::VISIBLE_LAMPS {
+        for (i, lamp) in (0..).zip(scene.lamps) {
             if lamp.radius > S::ZERO
                 && let Some(distance) =
-                    Sphere::distance(lamp.position, lamp.radius, self.ray, self.closest.limit())
+                    Sphere::distance(lamp.position, lamp.radius, ray, search.closest.limit())
             {
-                self.closest.offer::<N>(Hit { distance, object: Object::Lamp(i) });
+                // Lamps are last in order.
+                search.closest.offer_last(Hit { distance, object: Object::Lamp(i) });
             }
         }
     }
+    search.closest.seen(scene, ray)
 }
 
-impl<S: Scalar, N: Needs> Visit<S> for Search<'_, S, N> {
+/// The visitor that finds the nearest hit of the candidates of an accelerator.
+struct Search<'r, S: Scalar, A, const OTHERS: usize> {
+    ray: &'r Ray<S>,
+    closest: Closest<S, OTHERS>,
+    accelerator: PhantomData<A>,
+}
+
+impl<S: Scalar, A: Accelerator<S>, const OTHERS: usize> Visit<S> for Search<'_, S, A, OTHERS> {
     fn t_max(&self) -> S {
         self.closest.limit()
     }
@@ -171,7 +197,12 @@ impl<S: Scalar, N: Needs> Visit<S> for Search<'_, S, N> {
     fn run<P: Primitive<S>>(&mut self, first: Object, run: &[P]) -> ControlFlow<()> {
         for (i, primitive) in (0..).zip(run) {
             if let Some(distance) = primitive.intersect(self.ray, self.closest.limit()) {
-                self.closest.offer::<N>(Hit { distance, object: first.after(i) });
+                let hit = Hit { distance, object: first.after(i) };
+                if A::IN_ORDER {
+                    self.closest.offer_last(hit);
+                } else {
+                    self.closest.offer(hit);
+                }
             }
         }
         ControlFlow::Continue(())

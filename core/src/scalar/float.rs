@@ -138,6 +138,10 @@ macro_rules! float {
                 self + 16.0 * <$f>::EPSILON * (distance.abs() + self)
             }
             #[cfg_attr(not(target_os = "none"), inline)]
+            fn next_up(self) -> Self {
+                Self::from_bits(self.to_bits() + 1)
+            }
+            #[cfg_attr(not(target_os = "none"), inline)]
             fn at_one_place(self, extent: Self, cosine: Self) -> Self {
                 (self + 2.0 * <$f>::EPSILON * (self + extent) / cosine).min($far)
             }

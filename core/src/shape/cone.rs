@@ -224,12 +224,8 @@ impl<S: Scalar> Primitive<S> for Cone<S> {
     }
 
     fn point<N: Needs>(&self, ray: &Ray<S>, t: S) -> SurfacePoint<S> {
-        let lost = SurfacePoint {
-            distance: t,
-            point: ray.origin.along(ray.direction, t),
-            normal: -ray.direction,
-            face: None,
-        };
+        let lost =
+            SurfacePoint { distance: t, point: ray.origin.along(ray.direction, t), normal: -ray.direction };
         let Some(local) = self.local(ray, S::FAR) else { return lost };
         let Some(Meeting { offset, distance, part }) = self.meet(ray, &local, S::FAR) else { return lost };
         let place = local.foot.plus(ray.direction, offset);
@@ -245,7 +241,7 @@ impl<S: Scalar> Primitive<S> for Cone<S> {
             Part::Apex => (self.axis, z - self.half_height),
         };
         let place = place.plus(normal, -off);
-        SurfacePoint { distance, point: self.center.along(place, self.span), normal, face: None }
+        SurfacePoint { distance, point: self.center.along(place, self.span), normal }
     }
 
     fn look(&self) -> Look<'_, S> {

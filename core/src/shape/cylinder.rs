@@ -58,7 +58,6 @@ impl<S: Scalar> Primitive<S> for Cylinder<S> {
                 distance: t,
                 point: ray.origin.along(ray.direction, t),
                 normal: -ray.direction,
-                face: None,
             };
         };
         let displacement = self.center - ray.origin;
@@ -87,7 +86,7 @@ impl<S: Scalar> Primitive<S> for Cylinder<S> {
             z + rise
         };
         let axis = Vec3::<S>::new(self.center.x(), self.center.y(), height);
-        SurfacePoint { distance, point: axis.along(normal, self.radius), normal, face: None }
+        SurfacePoint { distance, point: axis.along(normal, self.radius), normal }
     }
 
     /// The look's centre is where the axis meets the floor.

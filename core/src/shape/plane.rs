@@ -61,7 +61,7 @@ impl<S: Scalar> Primitive<S> for Plane<S> {
             Some((direction, away, _)) if away > reach => self.center.along(direction, reach),
             _ => self.center + place,
         };
-        SurfacePoint { distance: t, point, normal: self.normal, face: None }
+        SurfacePoint { distance: t, point, normal: self.normal }
     }
 
     /// The look is that of a disc, beyond which no place of the plane lies.

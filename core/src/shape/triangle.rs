@@ -132,28 +132,31 @@ impl<S: Scalar> Primitive<S> for Triangle<S> {
                 distance: t,
                 point: ray.origin.along(ray.direction, t),
                 normal: self.normal,
-                face: None,
             };
         };
         // Project the place back into the plane, which rounding has left.
         let place = place.reject(self.normal, place.dot(self.normal));
-        let (mut normal, mut face) = (self.normal, None);
+        let mut normal = self.normal;
         if N::NORMALS
             && let Some(normals) = self.normals
             && let Some(curved) = Self::curved(areas, normals)
             // Use the flat normal where the interpolated one is on the other side of the ray.
             && (curved.dot(ray.direction) > S::Unit::ZERO) == (normal.dot(ray.direction) > S::Unit::ZERO)
         {
-            (normal, face) = (curved, Some(normal));
+            normal = curved;
         }
         let [corner, ..] = self.vertices;
-        SurfacePoint { distance, point: corner + place, normal, face }
+        SurfacePoint { distance, point: corner + place, normal }
     }
 
     #[inline]
     fn look(&self) -> Look<'_, S> {
         let Self { vertices: [center, ..], extent, color, ref material, .. } = *self;
         Look { color, material, extent, center, radius: extent, least: extent }
+    }
+
+    fn face(&self) -> Option<UnitVec3<S>> {
+        self.normals.map(|_| self.normal)
     }
 
     fn note_needs(&self, used: &mut Used) {

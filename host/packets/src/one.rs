@@ -55,7 +55,7 @@ impl<S: ToF32> Accelerator<S> for &Packets {
         }
         let mut closest = Closest::new();
         if let Some(distance) = world.floor::<N>(ray) {
-            closest.offer::<N>(Hit { distance, object: Object::Floor });
+            closest.offer(Hit { distance, object: Object::Floor });
         }
         let mut query = Query::new(self, ray, closest.limit());
         if N::CYLINDERS {
@@ -63,7 +63,7 @@ impl<S: ToF32> Accelerator<S> for &Packets {
                 for k in query.meet_columns(columns) {
                     let Some(&i) = columns.cylinders.get(k) else { continue };
                     if let Some((distance, _)) = cylinder::<S, N>(world, i, ray, closest.limit()) {
-                        closest.offer::<N>(Hit { distance, object: Object::Cylinder(i) });
+                        closest.offer(Hit { distance, object: Object::Cylinder(i) });
                         query.shorten(closest.limit());
                     }
                 }
@@ -72,7 +72,7 @@ impl<S: ToF32> Accelerator<S> for &Packets {
         if N::PLANES {
             for (i, plane) in (0..).zip(world.scene.planes) {
                 if let Some(distance) = plane.intersect(ray, closest.limit()) {
-                    closest.offer::<N>(Hit { distance, object: Object::Plane(i) });
+                    closest.offer(Hit { distance, object: Object::Plane(i) });
                     query.shorten(closest.limit());
                 }
             }
@@ -86,7 +86,7 @@ impl<S: ToF32> Accelerator<S> for &Packets {
                 closest_of::<S, N>(world, leaves, ray, &mut traversal.query, &mut closest);
             }
         }
-        closest.seen::<N>(&world.scene, ray)
+        closest.seen(&world.scene, ray)
     }
 
     #[inline]
@@ -209,7 +209,7 @@ fn closest_of<S: ToF32, N: Needs>(
         let mask = query.meet::<S>(leaf);
         for k in mask.items() {
             if let Some(hit) = meet::<S, N>(world, query, (leaf, &mask, k), ray, closest.limit()) {
-                closest.offer::<N>(hit);
+                closest.offer(hit);
                 query.shorten(closest.limit());
             }
         }

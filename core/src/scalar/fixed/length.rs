@@ -104,6 +104,10 @@ macro_rules! fixed_point {
                 Self::from_bits(self.to_bits() + slack)
             }
             #[cfg_attr(not(target_os = "none"), inline)]
+            fn next_up(self) -> Self {
+                self.saturating_add(Self::DELTA)
+            }
+            #[cfg_attr(not(target_os = "none"), inline)]
             fn at_one_place(self, _extent: Self, cosine: I2F30) -> Self {
                 let error = Self::from_bits(LEAVE_LSB + (self.to_bits() >> 28));
                 self.saturating_add(Scalar::over(error, cosine))

@@ -33,17 +33,17 @@ struct Closest4 {
 impl Closest4 {
     /// Adds the hits of an object at distances before [`Closest4::limit`].
     #[inline(always)]
-    fn offer<N: Needs>(&mut self, met: BVec4A, distance: Vec4, object: Object) {
+    fn offer(&mut self, met: BVec4A, distance: Vec4, object: Object) {
         for k in Bits(met.bitmask()) {
-            self.offer_one::<N>(k, Hit { distance: lane(&distance, k), object });
+            self.offer_one(k, Hit { distance: lane(&distance, k), object });
         }
     }
 
     /// Adds the hit of one ray.
     #[inline(always)]
-    fn offer_one<N: Needs>(&mut self, k: usize, hit: Hit<f32>) {
+    fn offer_one(&mut self, k: usize, hit: Hit<f32>) {
         let ray = one_mut(&mut self.rays, k);
-        ray.offer::<N>(hit);
+        ray.offer(hit);
         set(&mut self.limit, k, ray.limit());
     }
 }
@@ -63,7 +63,7 @@ impl Packets {
         let mut closest = Closest4 { limit, rays: [const { Closest::new() }; 4] };
         if N::FLOOR && world.scene.floor.is_some() {
             let (met, distance) = to_floor(rays);
-            closest.offer::<N>(met & distance.cmplt(closest.limit), distance, Object::Floor);
+            closest.offer(met & distance.cmplt(closest.limit), distance, Object::Floor);
         }
         let left = if !self.is_too_large && (are_eyes || self.nodes.is_empty()) {
             self.closest_together::<N>(world, rays, there, cache, &mut closest)
@@ -75,7 +75,7 @@ impl Packets {
             let hit = if left >> k & 1 == 1 {
                 self.closest::<N>(world, &rays.lane(k), cache)
             } else {
-                one_ref(&closest.rays, k).seen::<N>(&world.scene, &rays.lane(k))
+                one_ref(&closest.rays, k).seen(&world.scene, &rays.lane(k))
             };
             if let Some(hit) = hit {
                 set(&mut hits.distance, k, hit.distance);
@@ -111,7 +111,7 @@ impl Packets {
                     for r in four.meet_column(columns, k) {
                         let ray = world.ray::<N>(rays.origin.lane(r), rays.direction.lane(r));
                         if let Some(distance) = cylinder.intersect(&ray, lane(&closest.limit, r)) {
-                            closest.offer_one::<N>(r, Hit { distance, object: Object::Cylinder(i) });
+                            closest.offer_one(r, Hit { distance, object: Object::Cylinder(i) });
                             four.shorten(closest.limit);
                         }
                     }
@@ -122,7 +122,7 @@ impl Packets {
             for (i, plane) in (0..).zip(world.scene.planes) {
                 for r in Bits(there) {
                     if let Some(distance) = plane.intersect(&rays.lane(r), lane(&closest.limit, r)) {
-                        closest.offer_one::<N>(r, Hit { distance, object: Object::Plane(i) });
+                        closest.offer_one(r, Hit { distance, object: Object::Plane(i) });
                         four.shorten(closest.limit);
                     }
                 }
@@ -187,7 +187,7 @@ impl Packets {
                         if let Some(distance) =
                             distance::<_, N>(world, item, &rays.lane(r), lane(&closest.limit, r))
                         {
-                            closest.offer_one::<N>(r, Hit { distance, object: item });
+                            closest.offer_one(r, Hit { distance, object: item });
                             four.shorten(closest.limit);
                         }
                     }
@@ -196,7 +196,7 @@ impl Packets {
             };
             let is_met = if group == 15 { is_met } else { is_met & mask(group) };
             if is_met.any() {
-                closest.offer::<N>(is_met, distance, item);
+                closest.offer(is_met, distance, item);
                 four.shorten(closest.limit);
             }
         }

@@ -189,7 +189,7 @@ impl<'a> Surfaces4<'a> {
         for k in Bits(there & !spots.on) {
             let object = one(&nearest.objects, k);
             let hit = object.map(|object| Hit { distance: lane(&nearest.distance, k), object });
-            match world.seen::<N>(&rays.lane(k), hit) {
+            match world.seen::<N>(&world.planned::<N>(rays.lane(k), hit.as_ref()), hit) {
                 Seen::Light(light) => *one_mut(&mut spots.lights, k) = light,
                 Seen::Surface(surface) => spots.add(k, &surface),
             }

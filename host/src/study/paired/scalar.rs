@@ -80,6 +80,10 @@ impl<S: Format> Scalar for Paired<S> {
         let twin = Scalar::padded(self.twin, distance.twin);
         Self { format: self.format.padded(distance.format), twin }.noted("padded", [self.error()])
     }
+    fn next_up(self) -> Self {
+        Self { format: Scalar::next_up(self.format), twin: self.twin.next_up() }
+    }
+    #[track_caller]
     fn at_one_place(self, extent: Self, cosine: Self::Unit) -> Self {
         let twin = self.twin.at_one_place(extent.twin, cosine.twin);
         Self { format: self.format.at_one_place(extent.format, cosine.format), twin }
