@@ -34,7 +34,8 @@
 //! let lamp = Lamp::white(Xyz::new(length(-4), length(0), length(6)), length(1), 60);
 //! let scene = Scene { spheres: &[ball], lamps: &[lamp], ..Scene::day() };
 //! let eye = Camera::new(Xyz::new(length(0), length(0), length(2)), UnitVec3::<Q16>::Y, Lens::new(1, 1, (4, 3)));
-//! let tracer: Tracer<_, _, Everything, 8> = Tracer::new(scene.admit(&eye)?, Rta, 5)?;
+//! let scene = scene.admit(&eye)?; // no ray can overflow
+//! let tracer: Tracer<_, _, Everything, 8> = Tracer::new(&scene, Rta, 5)?;
 //! for row in 0..4 {
 //!     for light in Pixels::row(&tracer, &eye, Raster::new(320, 200)?, row) {
 //!         let levels: Rgb<u8> = light.levels(63); // 0..=63, what a VGA's DAC takes

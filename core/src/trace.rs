@@ -37,7 +37,7 @@ use crate::world::Seen;
 /// at most one waits for each level. `A` is how the scene is searched.
 #[derive(Clone, Copy, Debug)]
 pub struct Tracer<'a, S: Scalar, M, N, const STACK: usize, A = Lists> {
-    scene: Admitted<'a, S, A>,
+    scene: &'a Admitted<'a, S, A>,
     model: M,
     depth: u8,
     cutoff: S::Unit,
@@ -71,7 +71,7 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Acceler
     ///
     /// # Errors
     /// [`Error::Depth`] where `depth` exceeds the capacity `STACK` or the scene's [`Limits::depth`](crate::scene::Limits::depth).
-    pub fn new(scene: Admitted<'a, S, A>, model: M, depth: u32) -> Result<Self, Error> {
+    pub fn new(scene: &'a Admitted<'a, S, A>, model: M, depth: u32) -> Result<Self, Error> {
         let capacity = STACK.min(usize::from(scene.limits.depth));
         let error = Error::Depth { depth, capacity };
         let depth = u8::try_from(depth).map_err(|_| error)?;
@@ -89,8 +89,8 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Acceler
     }
 
     /// Returns scene, model, depth and cut-off, for a loop outside the core that traces several rays side by side.
-    pub const fn parts(&self) -> (&Admitted<'a, S, A>, &M, u8, S::Unit) {
-        (&self.scene, &self.model, self.depth, self.cutoff)
+    pub const fn parts(&self) -> (&'a Admitted<'a, S, A>, &M, u8, S::Unit) {
+        (self.scene, &self.model, self.depth, self.cutoff)
     }
 
     /// Returns the radiance that arrives at the camera's eye along the primary ray in `direction`, from the whole ray tree.
@@ -145,7 +145,7 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Acceler
         memory: &mut A::Memory,
         observer: &mut O,
     ) -> (Rgb<S::Light>, Option<Surface<'_, S>>) {
-        let (scene, branch) = (&self.scene, &current.branch);
+        let (scene, branch) = (self.scene, &current.branch);
         observer.ray(branch.kind, branch.depth, &current.start);
         let ray = self.ray(current.start);
         let hit = scene.accelerator().closest::<N>(scene, &ray, memory);
@@ -200,7 +200,7 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Acceler
         observer.shadow(number, &start);
         let ray = self.ray(start);
         let t_max = incident.distance - used;
-        self.scene.accelerator().transmittance::<N>(&self.scene, &ray, t_max, number, memory)
+        self.scene.accelerator().transmittance::<N>(self.scene, &ray, t_max, number, memory)
     }
 
     /// Spawns the secondary rays of a surface: pushes the transmitted one and returns the reflected one, which is followed next.

@@ -51,37 +51,32 @@ impl<'a, S: Scalar> World<'a, S> {
     /// Returns what is seen along a ray, with its plan if that is a vertical cylinder, whose nearest hit is `hit`.
     #[cfg_attr(not(target_os = "none"), inline(always))]
     pub fn seen<N: Needs>(&self, ray: &Ray<S>, hit: Option<Hit<S>>) -> Seen<'a, S> {
-        let Some(Hit { distance, object }) = hit else { return self.sky::<N>(ray) };
-        let found = match object {
-            Object::Lamp(i) if N::VISIBLE_LAMPS => {
-                return match self.scene.lamps.get(index(i)) {
-                    Some(lamp) => Seen::Light(lamp.radiance()),
-                    None => self.sky::<N>(ray),
-                };
-            }
+        if N::VISIBLE_LAMPS
+            && let Some(Hit { object: Object::Lamp(i), .. }) = hit
+            && let Some(lamp) = self.scene.lamps.get(index(i))
+        {
+            return Seen::Light(lamp.radiance());
+        }
+        let found = hit.and_then(|Hit { distance, object }| match object {
             Object::Floor if N::FLOOR => self.scene.floor.as_ref().map(|floor| {
                 let (point, color) = floor.point(ray, distance, self.limits.floor_end);
-                (point, color, &Material::Opaque, S::ZERO)
+                (point, color, &Material::Opaque, S::ZERO, None)
             }),
             _ => self.scene.point::<N>(object, ray, distance).map(|(point, look)| {
                 let Look { color, material, extent, .. } = look;
-                (point, color, material, extent)
+                let face = if N::NORMALS { self.scene.face::<N>(object) } else { None };
+                (point, color, material, extent, face)
             }),
-        };
-        let Some((spot, color, material, extent)) = found else {
-            return self.sky::<N>(ray);
+        });
+        let Some((spot, color, material, extent, face)) = found else {
+            return Seen::Light(self.scene.sky.radiance::<N>(ray.direction));
         };
         let SurfacePoint { distance, point, normal } = spot;
         let inside = normal.dot(ray.direction) > S::Unit::ZERO;
         let normal = if inside { -normal } else { normal };
         // It is on the same side of the ray.
-        let face = if N::NORMALS { self.scene.face::<N>(object) } else { None };
         let face = face.map(|face| if inside { -face } else { face });
         let incoming = ray.direction;
         Seen::Surface(Surface { point, normal, face, incoming, distance, inside, extent, color, material })
-    }
-
-    fn sky<N: Needs>(&self, ray: &Ray<S>) -> Seen<'a, S> {
-        Seen::Light(self.scene.sky.radiance::<N>(ray.direction))
     }
 }

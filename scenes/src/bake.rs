@@ -19,7 +19,7 @@
 //! | `SCENE` | the scene, an [`rta_core::range::Admitted`] |
 //! | `CAMERA` | the eye, an [`rta_core::camera::Camera`] |
 //!
-//! so that `Tracer::<_, _, Needs, 5>::new(SCENE, Rta, 5)` draws it.
+//! so that `Tracer::<_, _, Needs, 5>::new(&SCENE, Rta, 5)` draws it.
 
 use core::fmt;
 use std::path::{Path, PathBuf};

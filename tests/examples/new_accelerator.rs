@@ -55,11 +55,11 @@ pub(crate) fn main() {
     let raster = Raster::new(40, 30).expect("a raster");
 
     let admitted = scene.admit_with(&eye, NearFirst(&order)).expect("a small scene fits");
-    let tracer: Tracer<_, _, Everything, 5, _> = Tracer::new(admitted, Rta, 5).expect("a stack");
+    let tracer: Tracer<_, _, Everything, 5, _> = Tracer::new(&admitted, Rta, 5).expect("a stack");
     let near_first: Vec<_> = Pixels::new(&tracer, &eye, raster).collect();
 
     let admitted = scene.admit_with(&eye, accelerator::Lists).expect("a small scene fits");
-    let tracer: Tracer<_, _, Everything, 5, _> = Tracer::new(admitted, Rta, 5).expect("a stack");
+    let tracer: Tracer<_, _, Everything, 5, _> = Tracer::new(&admitted, Rta, 5).expect("a stack");
     let listed: Vec<_> = Pixels::new(&tracer, &eye, raster).collect();
 
     assert!(near_first == listed, "a picture does not depend on how its scene is searched");

@@ -82,7 +82,7 @@ impl Exact {
         out: &mut [Bits],
     ) -> Result<(), Error> {
         let admitted = self.scene.scene().admit_with(&self.scene.camera, accelerator)?;
-        let tracer: Tracer<_, M, N, STACK, _> = Tracer::new(admitted, model, depth)?;
+        let tracer: Tracer<_, M, N, STACK, _> = Tracer::new(&admitted, model, depth)?;
         let pixels = Pixels::rows(&tracer, &self.scene.camera, self.raster, first, self.raster.height());
         for (pixel, light) in out.iter_mut().zip(pixels) {
             *pixel = light.map(|register| register.0.to_bits());

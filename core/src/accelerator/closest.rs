@@ -79,7 +79,7 @@ impl<S: Scalar, const OTHERS: usize> Closest<S, OTHERS> {
     }
 
     fn keep(&mut self, hit: Hit<S>) {
-        if !is_flat(hit.object) {
+        if OTHERS == 0 || !is_flat(hit.object) {
             return;
         }
         if self.others.is_full() {
@@ -98,7 +98,7 @@ impl<S: Scalar, const OTHERS: usize> Closest<S, OTHERS> {
     #[inline]
     pub fn seen(&self, scene: &Scene<'_, S>, ray: &Ray<S>) -> Option<Hit<S>> {
         let nearest = self.nearest?;
-        let is_alone = self.others.is_empty() || !is_flat(nearest.object);
+        let is_alone = OTHERS == 0 || self.others.is_empty() || !is_flat(nearest.object);
         Some(if is_alone { nearest } else { self.first(nearest, scene, ray) })
     }
 

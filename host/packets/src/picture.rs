@@ -199,19 +199,23 @@ struct Modelled<S: Narrow, M> {
 type Traced<'a, S, M> = Tracer<'a, S, M, Everything, { MAX_DEPTH as usize }, &'a Packets>;
 
 impl<S: Format, M: Illumination<S> + Copy> Modelled<S, M> {
-    fn tracer(&self) -> Option<Traced<'_, S, M>> {
-        let Ready { scene, packets, limits, setup } = &self.ready;
-        let cutoff = S::Unit::ratio(setup.cutoff.0, setup.cutoff.1);
-        // Proved once, when the picture was made ready.
-        let admitted = Admitted::baked(scene.scene(), *limits, packets);
-        let tracer = Tracer::new(admitted, self.model, setup.depth);
-        tracer.ok().map(|tracer: Traced<'_, S, M>| tracer.with_cutoff(cutoff))
+    /// Returns the scene, which was proved once, when the picture was made ready.
+    fn admitted(&self) -> Admitted<'_, S, &Packets> {
+        let Ready { scene, packets, limits, .. } = &self.ready;
+        Admitted::baked(scene.scene(), *limits, packets)
+    }
+
+    fn tracer<'a>(&self, admitted: &'a Admitted<'a, S, &'a Packets>) -> Option<Traced<'a, S, M>> {
+        let Setup { depth, cutoff: (numerator, denominator), .. } = self.ready.setup;
+        let tracer: Traced<'a, S, M> = Tracer::new(admitted, self.model, depth).ok()?;
+        Some(tracer.with_cutoff(S::Unit::ratio(numerator, denominator)))
     }
 
     /// Calls `put` with each of the rows `range` of the picture on `raster`, with samples at `places`.
     fn traced(&self, raster: Raster, places: impl Places, range: (u32, u32), put: PutRow<S>) {
         // There is a tracer: the depth was checked when the picture was made ready.
-        let Some(tracer) = self.tracer() else { return };
+        let admitted = self.admitted();
+        let Some(tracer) = self.tracer(&admitted) else { return };
         let width = raster.width() as usize;
         let mut row = Vec::with_capacity(width);
         S::trace_rows(&tracer, &self.ready.scene.camera, (raster, places), range, |light| {
@@ -245,7 +249,8 @@ impl<S: Format, M: Illumination<S> + Copy> Picture<S> for Modelled<S, M> {
         cache: &mut ShadowCache,
         observer: &mut dyn Observer<S>,
     ) -> Rgb<S::Light> {
-        let Some(tracer) = self.tracer() else { return Rgb::BLACK };
+        let admitted = self.admitted();
+        let Some(tracer) = self.tracer(&admitted) else { return Rgb::BLACK };
         let camera = &self.ready.scene.camera;
         tracer.trace(camera.eye, camera.direction(right, up), cache, observer)
     }

@@ -94,7 +94,7 @@ fn see<S: Measure>(
     let admitted = scene.admit(&camera).expect("the scene fits");
     // With the engine's stack the engine's tracers are linked, not compiled anew.
     let tracer: Tracer<_, _, Everything, { MAX_DEPTH as usize }> =
-        Tracer::new(admitted, model, depth).expect("it is no deeper");
+        Tracer::new(&admitted, model, depth).expect("it is no deeper");
     read_light::<S>(tracer.radiance(eye, towards))
 }
 

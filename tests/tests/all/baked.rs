@@ -43,7 +43,7 @@ macro_rules! baked {
             #[test]
             fn is_drawn_as_the_engine_draws_it() {
                 let settings = Settings { format: Format::$format, model: Model::$kind, ..SMALL };
-                let got = draw::<_, _, scene::Needs>(scene::SCENE, &scene::CAMERA, $model);
+                let got = draw::<_, _, scene::Needs>(&scene::SCENE, &scene::CAMERA, $model);
                 assert!(got == by_engine(&read($file), &settings));
             }
         }
@@ -122,7 +122,7 @@ fn bits(light: Rgb<f32>) -> [u32; 3] {
 }
 
 fn draw<S: Narrow, M: Illumination<S>, N: Needs>(
-    scene: Admitted<'_, S, impl Accelerator<S>>,
+    scene: &Admitted<'_, S, impl Accelerator<S>>,
     camera: &Camera<S>,
     model: M,
 ) -> Picture {

@@ -44,7 +44,7 @@ where
     let narrowed = narrow::<Paired<S>>(scene, 4.0 / 3.0).ok()?;
     let bounds: [Bound; 13] = narrowed.scene().prove(&narrowed.camera).bounds;
     let admitted = narrowed.scene().admit(&narrowed.camera).ok()?;
-    let tracer: Tracer<_, _, Everything, 5> = Tracer::new(admitted, Rta, 5).expect("depth 5 of 5");
+    let tracer: Tracer<_, _, Everything, 5> = Tracer::new(&admitted, Rta, 5).expect("depth 5 of 5");
     let bound =
         |q: &Quantity| bounds.iter().find(|row| row.quantity == *q).map_or(0.0, |row| value(row.bound));
     let limit = value(Magnitude::new(1, 15));

@@ -117,7 +117,7 @@ fn single_rays_meet_the_same_of_every_kind() {
 /// Returns the light of a small picture.
 fn picture<S: Narrow>(scene: &Narrowed<S>, accelerator: impl Accelerator<S>) -> Option<Vec<Rgb<S::Light>>> {
     let admitted = scene.scene().admit_with(&scene.camera, accelerator).ok()?;
-    let tracer: Tracer<S, _, Everything, 32, _> = Tracer::new(admitted, Rta, 3).expect("a depth");
+    let tracer: Tracer<S, _, Everything, 32, _> = Tracer::new(&admitted, Rta, 3).expect("a depth");
     Some(Pixels::new(&tracer, &scene.camera, Raster::new(46, 46).expect("a raster")).collect())
 }
 

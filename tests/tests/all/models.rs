@@ -36,7 +36,7 @@ fn look(
 ) -> [f64; 3] {
     let narrowed = narrow::<f64>(scene, 1.0).expect("it fits");
     let admitted = narrowed.scene().admit(&narrowed.camera).expect("it fits");
-    let tracer: Tracer<_, _, Everything, 16> = Tracer::new(admitted, model, depth).expect("no deeper");
+    let tracer: Tracer<_, _, Everything, 16> = Tracer::new(&admitted, model, depth).expect("no deeper");
     read_light::<f64>(tracer.radiance(place::<f64>(eye), direction::<f64>(towards)))
 }
 
@@ -45,7 +45,7 @@ fn a_cutoff_leaves_out_the_faint_rays() {
     let glass = ball(description::Surface::Transparent { ks: 0.3, kt: 0.7, ior: 1.5 });
     let narrowed = narrow::<f64>(&glass, 1.0).expect("it fits");
     let admitted = narrowed.scene().admit(&narrowed.camera).expect("it fits");
-    let tracer: Tracer<_, _, Everything, 16> = Tracer::new(admitted, Rta, 16).expect("no deeper");
+    let tracer: Tracer<_, _, Everything, 16> = Tracer::new(&admitted, Rta, 16).expect("no deeper");
     let [eye, towards] = [place::<f64>([0.0, -9.0, 0.5]), direction::<f64>([0.0, 1.0, 0.0])];
     // What leaves the sphere: 0.3, then 0.7 0.7 0.3^n; what stays in it: 0.7 0.3^n.
     for (cutoff, want) in [(0.8, 0.0), (0.5, 0.0), (0.25, 0.79), (0.1, 0.937), (0.05, 0.937), (0.04, 0.9811)]

@@ -31,7 +31,7 @@ fn raster() -> Raster {
 /// Returns the picture, traced one ray and one object after the other.
 fn listed<S: Format, M: Illumination<S>>(scene: &Narrowed<S>, model: M) -> Vec<Rgb<S::Light>> {
     let admitted = scene.scene().admit_with(&scene.camera, Lists).expect("it fits");
-    let tracer: Tracer<S, _, Everything, 32> = Tracer::new(admitted, model, DEPTH).expect("a depth");
+    let tracer: Tracer<S, _, Everything, 32> = Tracer::new(&admitted, model, DEPTH).expect("a depth");
     Pixels::new(&tracer, &scene.camera, raster()).collect()
 }
 

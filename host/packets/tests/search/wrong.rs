@@ -14,7 +14,7 @@ fn draw<S: Narrow + ToF32 + Rows>(scene: &Description, other: &Description) {
     let Ok(narrowed) = narrow::<S>(scene, 1.0) else { return };
     let packets = Packets::build::<S>(other);
     let Ok(admitted) = narrowed.scene().admit_with(&narrowed.camera, &packets) else { return };
-    let tracer: Tracer<S, _, Everything, 32, _> = Tracer::new(admitted, Rta, 3).expect("a depth");
+    let tracer: Tracer<S, _, Everything, 32, _> = Tracer::new(&admitted, Rta, 3).expect("a depth");
     let raster = Raster::new(46, 10).expect("a raster");
     assert_eq!(Pixels::new(&tracer, &narrowed.camera, raster).count(), 460);
     let mut pixels = 0;

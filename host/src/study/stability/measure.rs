@@ -68,7 +68,10 @@ fn block<S: Narrow>(
     let given = rounded::<S>(scene);
     let (tested, exact) = (narrow::<S>(&given, 1.0)?, narrow::<f64>(&given, 1.0)?);
     let (mut rays, mut unused) = (Tally::default(), Tally::default());
-    let (tested, exact) = (Side::new(&tested, case.depth)?, Side::new(&exact, case.depth)?);
+    let admitted = (tested.scene().admit(&tested.camera), exact.scene().admit(&exact.camera));
+    let admitted = (admitted.0.map_err(rta_core::Error::from)?, admitted.1.map_err(rta_core::Error::from)?);
+    let tested = Side::new(&tested, &admitted.0, case.depth)?;
+    let exact = Side::new(&exact, &admitted.1, case.depth)?;
     for i in 0..count {
         let (direction, twin) = directions::<S>(case.aim.draw(scene, rng), &tested, &exact);
         // The two models take turns.
@@ -118,14 +121,17 @@ fn difference(got: Rgb<f32>, want: Rgb<f32>) -> Option<f64> {
 /// A scene in one format with a tracer for each of the two models (see [`stability`](super)).
 struct Side<'a, S: Scalar> {
     scene: &'a Narrowed<S>,
-    admitted: Admitted<'a, S>,
+    admitted: &'a Admitted<'a, S>,
     rta: Tracer<'a, S, Rta, Everything, { MAX_DEPTH as usize }>,
     whitted: Tracer<'a, S, Whitted<S>, Everything, { MAX_DEPTH as usize }>,
 }
 
 impl<'a, S: Narrow> Side<'a, S> {
-    fn new(scene: &'a Narrowed<S>, depth: u32) -> Result<Self, rta_core::Error> {
-        let admitted = scene.scene().admit(&scene.camera)?;
+    fn new(
+        scene: &'a Narrowed<S>,
+        admitted: &'a Admitted<'a, S>,
+        depth: u32,
+    ) -> Result<Self, rta_core::Error> {
         let rta = Tracer::new(admitted, Rta, depth)?;
         let whitted = Tracer::new(admitted, Whitted::default(), depth)?;
         Ok(Self { scene, admitted, rta, whitted })

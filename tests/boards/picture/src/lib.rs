@@ -87,7 +87,7 @@ fn draw_sized<D: Display, T: ColorTable>(
 ) -> Result<(D, T), DrawError<D::Error>> {
     let gun_max = display.capabilities().gun_max;
     let raster = Raster::new(width, height).map_err(DrawError::Tracer)?;
-    let scene = if BAKED { scene::SCENE } else { core::hint::black_box(scene::SCENE) };
+    let scene = if BAKED { &scene::SCENE } else { core::hint::black_box(&scene::SCENE) };
     let tracer: Tracer<_, _, Needs, { DEPTH as usize }, _> =
         Tracer::new(scene, Rta, DEPTH.into()).map_err(DrawError::Tracer)?;
     let mut painter = Painter::new(display, table).map_err(DrawError::Display)?;
