@@ -60,7 +60,7 @@ impl Packets {
         cache: &mut ShadowCache,
     ) -> Hits4 {
         let limit = Vec4::select(mask(there), Vec4::splat(f32::FAR), Vec4::ZERO);
-        let mut closest = Closest4 { limit, rays: [const { Closest::new() }; 4] };
+        let mut closest = Closest4 { limit, rays: core::array::from_fn(|_| Closest::new()) };
         if N::FLOOR && world.scene.floor.is_some() {
             let (met, distance) = to_floor(rays);
             closest.offer(met & distance.cmplt(closest.limit), distance, Object::Floor);
