@@ -11,7 +11,8 @@ mod transmittance;
 use core::ops::ControlFlow;
 
 pub use bvh::{Bvh, Node};
-use closest::Closest;
+pub use closest::Closest;
+use closest::Search;
 pub use transmittance::{Filters, transmitted};
 
 use crate::needs::Needs;
@@ -25,8 +26,8 @@ use crate::world::World;
 pub trait Accelerator<S: Scalar>: Copy + Send + Sync {
     /// What is kept from ray to ray, such as the last occluder of each lamp; `()` where nothing is.
     type Memory: Default;
-    /// Whether [`Accelerator::candidates`] come in order of [`Object`](crate::scene::Object). Where they do not, equally
-    /// near hits are told apart by that order, which costs a comparison.
+    /// Whether [`Accelerator::candidates`] come in order of [`Object`](crate::scene::Object). Where they do not, the transparent
+    /// objects in the way of a shadow ray have to be sorted.
     const IN_ORDER: bool;
     /// Whether the tracer gives rays a [`GroundPlan`](crate::ray::GroundPlan) where the scene has vertical cylinders. An
     /// accelerator that seldom tests cylinders sets this to false and adds the plan itself.
@@ -51,24 +52,20 @@ pub trait Accelerator<S: Scalar>: Copy + Send + Sync {
     /// Calls `see` with each further place, such as a node's centre, whose distance from a ray's origin is computed.
     fn places(&self, _see: impl FnMut(Vec3<S>)) {}
 
-    /// Returns the nearest hit of a ray, if there is one; of equally near objects, the first in order of
-    /// [`Object`](crate::scene::Object).
+    /// Returns the nearest hit of a ray, if there is one; of several surfaces at one place, the first in order of
+    /// [`Object`](crate::scene::Object), as [`Closest`] tells it.
     fn closest<N: Needs>(
         &self,
         world: &World<'_, S>,
         ray: &Ray<S>,
         _memory: &mut Self::Memory,
     ) -> Option<Hit<S>> {
-        let floor = world.floor::<N>(ray);
-        if Self::IN_ORDER {
-            let mut closest = Closest::<_, true>::new(ray, floor);
-            let _ = self.candidates::<N>(&world.scene, ray, &mut closest);
-            closest.with_lamps::<N>(world.scene.lamps)
-        } else {
-            let mut closest = Closest::<_, false>::new(ray, floor);
-            let _ = self.candidates::<N>(&world.scene, ray, &mut closest);
-            closest.with_lamps::<N>(world.scene.lamps)
+        let mut search = Search::<_, N>::new(ray, world.floor::<N>(ray));
+        let _ = self.candidates::<N>(&world.scene, ray, &mut search);
+        if N::VISIBLE_LAMPS {
+            search.add_lamps(world.scene.lamps);
         }
+        search.closest.seen::<N>(&world.scene, ray)
     }
 
     /// Returns the part, 0 to 1, of the light of lamp number `lamp` that passes along a shadow ray of length `t_max`: 0 where an

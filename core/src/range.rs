@@ -5,7 +5,7 @@
 //!
 //! - Eye, objects and lamps lie in a box and in a ball. A ray starts at the eye or on an object and ends on an object or at
 //!   a lamp, so no two places that are ever subtracted are farther apart than the box's diagonal or the ball's diameter:
-//!   the bound of [`Quantity::Distance`]. A vertical cylinder is visible up to [`Limits::cylinder_end`].
+//!   the bound of [`Quantity::Distance`]. A vertical cylinder is lit up to [`Limits::cylinder_end`].
 //! - The floor is infinite. Its places are lit up to the distance [`Limits::floor_end`] from a ray's origin, the room that the
 //!   format has left: the bound of [`Quantity::Reach`]. Only shadow rays start there.
 //! - Components of unit vectors are at most 1 plus some rounding; a ray's weight is a product of reflectances, one for each level

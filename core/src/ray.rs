@@ -33,7 +33,7 @@ pub struct Ray<S: Scalar> {
 pub struct GroundPlan<S: Scalar> {
     /// Its direction in the plan.
     pub direction: Plan<S>,
-    /// Infinite cylinders are visible between this height and its negative.
+    /// Infinite cylinders are lit above this height, and below its negative, as if they were there.
     pub cylinder_end: S,
 }
 
@@ -43,8 +43,8 @@ impl<S: Scalar> Ray<S> {
         Self { origin, direction, plan: None }
     }
 
-    /// Returns the ray with its plan, for infinite cylinders that are visible between the height `cylinder_end` and its
-    /// negative.
+    /// Returns the ray with its plan, for infinite cylinders, which are lit above the height `cylinder_end` and below its
+    /// negative as if they were there.
     pub fn with_plan(self, cylinder_end: S) -> Self {
         let plan = self.direction.plan().map(|direction| GroundPlan { direction, cylinder_end });
         Self { plan, ..self }

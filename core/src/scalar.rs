@@ -78,15 +78,22 @@ pub trait Scalar:
 
     /// Returns `self * factor`, rounded.
     fn scale(self, factor: Self::Unit) -> Self;
+    /// Returns `self * other`, exact in fixed point.
+    fn product(self, other: Self) -> Self::Wide;
     /// Returns `self^2`, exact in fixed point.
-    fn square(self) -> Self::Wide;
+    fn square(self) -> Self::Wide {
+        self.product(self)
+    }
+    /// Returns `part / whole`, where both are of one sign and `part` is not larger; 1 for a `whole` of 0.
+    fn part(part: Self::Wide, whole: Self::Wide) -> Self::Unit;
     /// Returns the square root; 0 for a negative square.
     fn sqrt(square: Self::Wide) -> Self;
     /// Returns `1 / self`, for `self > 0`; for anything else an unspecified value, never a panic.
     fn inverse(self) -> Self::Inverse;
     /// Returns `self / whole` for `0 <= self <= whole`, where `whole` is given by its reciprocal.
     fn fraction(self, whole: Self::Inverse) -> Self::Unit;
-    /// Returns `self / slope`, where `slope` (0 to 1) is given by its reciprocal; saturates at [`Scalar::FAR`] and its negative.
+    /// Returns `self / slope`, where `slope` (0 to 1) is given by its reciprocal; saturates at the last length before
+    /// [`Scalar::FAR`] and at its negative.
     fn stretch(self, slope: <Self::Unit as Unit>::Inverse) -> Self;
     /// Returns `self / slope` for `self >= 0` and `slope > 0`; saturates at [`Scalar::FAR`].
     fn over(self, slope: Self::Unit) -> Self;
@@ -96,8 +103,10 @@ pub trait Scalar:
     /// the ray.
     fn padded(self, distance: Self) -> Self;
 
-    /// Returns the next larger length, for a finite `self` of 0 or more; `self` where there is none.
-    fn next_up(self) -> Self;
+    /// Returns the distance, at most [`Scalar::FAR`], up to which hits cannot be told from one at the distance `self`: that of a
+    /// surface at the same place is farther by no more than its and this one's rounding. `extent` is the size of the other
+    /// object, `cosine`, above 0, that of the angle between the ray and its normal.
+    fn at_one_place(self, extent: Self, cosine: Self::Unit) -> Self;
 
     /// Returns the extent to pass to [`LengthVector::clearance`] for an ellipsoid of the extent `self` whose smallest radius is
     /// `thickness` times that. It is larger in fixed point, which loses digits where the ellipsoid is scaled to a sphere.
@@ -141,6 +150,8 @@ pub trait Unit:
     const ONE: Self;
     /// The largest absolute value.
     const LARGEST: Magnitude;
+    /// More than the rounding error of a sum of a few products of numbers up to 1: 2 EPSILON of a float, or 8 LSB.
+    const ROUNDING: Self;
     /// Returns a bound of the absolute value.
     fn size(self) -> Magnitude;
     /// Returns `numerator / denominator`, rounded to the nearest, for `denominator > 0` and values between -2 and 2.

@@ -55,6 +55,8 @@ pub struct SurfacePoint<S: Scalar> {
     pub point: Vec3<S>,
     /// The unit normal, which points outwards.
     pub normal: UnitVec3<S>,
+    /// Where `normal` is interpolated, the unit normal of the flat face itself, on the same side of the ray.
+    pub face: Option<UnitVec3<S>>,
 }
 
 /// An object's colour, material and bounding sphere.

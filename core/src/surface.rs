@@ -1,9 +1,10 @@
 //! The input of an illumination model: a point of a surface, and the ray that meets it.
 
 use crate::color::Rgb;
+use crate::light::Incident;
 use crate::material::Material;
 use crate::needs::Needs;
-use crate::scalar::vector::{UnitVec3, Vec3};
+use crate::scalar::vector::{UnitVec3, UnitVector, Vec3};
 use crate::scalar::{Scalar, Unit};
 
 /// A point of a surface that a ray meets.
@@ -13,6 +14,9 @@ pub struct Surface<'a, S: Scalar> {
     pub point: Vec3<S>,
     /// Unit normal on the side from which the ray comes.
     pub normal: UnitVec3<S>,
+    /// Where `normal` is interpolated, the unit normal of the flat face itself, on the side from which the ray comes. It tells
+    /// what is behind the surface, so that a ray that is reflected at the interpolated normal does not end in the face.
+    pub face: Option<UnitVec3<S>>,
     /// Unit direction of the ray that meets the surface; the view direction is its negative.
     pub incoming: UnitVec3<S>,
     /// Length of the ray up to the point; for a ray from [`Surface::inside`], its way through the material.
@@ -28,6 +32,37 @@ pub struct Surface<'a, S: Scalar> {
 }
 
 impl<S: Scalar> Surface<'_, S> {
+    /// Returns the unit normal of the surface itself, which is not interpolated.
+    pub fn side<N: Needs>(&self) -> UnitVec3<S> {
+        match self.face {
+            Some(face) if N::NORMALS => face,
+            _ => self.normal,
+        }
+    }
+
+    /// Returns whether a direction leads behind the surface, or along it.
+    pub fn is_behind<N: Needs>(&self, incident: &Incident<S>) -> bool {
+        let zero = S::Unit::ZERO;
+        match self.face {
+            Some(face) if N::NORMALS => incident.cosine <= zero || face.dot(incident.direction) <= zero,
+            _ => incident.cosine <= zero,
+        }
+    }
+
+    /// Returns the unit direction of a secondary ray: `direction`, or, where it was made from an interpolated normal and leads
+    /// to the wrong side of the face, its reflection on the face. `leaves` tells whether the ray is to leave on the side of the
+    /// normal. Both agree where the direction lies in the face, so the picture has no seam.
+    pub fn fold<N: Needs>(&self, direction: UnitVec3<S>, leaves: bool) -> UnitVec3<S> {
+        match self.face {
+            Some(face) if N::NORMALS => {
+                let cosine = face.dot(direction);
+                let is_right = if leaves { cosine >= S::Unit::ZERO } else { cosine <= S::Unit::ZERO };
+                if is_right { direction } else { direction.reflect(face) }
+            }
+            _ => direction,
+        }
+    }
+
     /// Returns the diffuse reflectance: the colour, times the diffuse coefficient of its finish where it has one.
     pub fn diffuse<N: Needs>(&self) -> Rgb<S::Unit> {
         match self.material.finish::<N>() {

@@ -192,7 +192,8 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Acceler
         if !casts_shadow_ray::<N, _>(light) {
             return S::Unit::ONE;
         }
-        let side = if incident.cosine <= S::Unit::ZERO { -surface.normal } else { surface.normal };
+        let side = surface.side::<N>();
+        let side = if surface.is_behind::<N>(incident) { -side } else { side };
         let (origin, used) = surface.point.leave(side, incident.direction, surface.extent);
         let start = Start { origin, direction: incident.direction };
         observer.shadow(number, &start);
@@ -210,16 +211,18 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Acceler
         pending: &mut Stack<S, M::Weight, STACK>,
         observer: &mut O,
     ) -> Option<Pending<S, M::Weight>> {
-        let start = |side, direction| {
-            let (origin, _) = surface.point.leave(side, direction, surface.extent);
+        let start = |direction, leaves: bool| {
+            let (side, direction) = (surface.side::<N>(), surface.fold::<N>(direction, leaves));
+            let (origin, _) =
+                surface.point.leave(if leaves { side } else { -side }, direction, surface.extent);
             Start { origin, direction }
         };
-        let reflected = || start(surface.normal, surface.incoming.reflect(surface.normal));
+        let reflected = || start(surface.incoming.reflect(surface.normal), true);
         let mut is_total = false;
         let refracted = |glass: &Glass<S>| {
             let direction = refract(surface, glass);
             is_total = direction.is_none();
-            direction.map(|direction| start(-surface.normal, direction))
+            direction.map(|direction| start(direction, false))
         };
         let place = (&parent.branch, self.cutoff);
         let [transmitted, reflected] = branch::<S, M, N>(&self.model, surface, place, reflected, refracted);

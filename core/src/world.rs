@@ -56,18 +56,29 @@ impl<'a, S: Scalar> World<'a, S> {
                 let (point, color) = floor.point(ray, distance, self.limits.floor_end);
                 (point, color, &Material::Opaque, S::ZERO)
             }),
-            _ => self.scene.point::<N>(object, ray, distance).map(|(point, look)| {
-                let Look { color, material, extent, .. } = look;
-                (point, color, material, extent)
-            }),
+            _ => {
+                let is_cylinder = N::CYLINDERS && matches!(object, Object::Cylinder(_));
+                let planned;
+                let ray = if is_cylinder && ray.plan.is_none() {
+                    planned = self.ray::<N>(ray.origin, ray.direction);
+                    &planned
+                } else {
+                    ray
+                };
+                self.scene.point::<N>(object, ray, distance).map(|(point, look)| {
+                    let Look { color, material, extent, .. } = look;
+                    (point, color, material, extent)
+                })
+            }
         };
-        let Some((SurfacePoint { distance, point, normal }, color, material, extent)) = found else {
+        let Some((spot, color, material, extent)) = found else {
             return self.sky::<N>(ray);
         };
+        let SurfacePoint { distance, point, normal, face } = spot;
         let inside = normal.dot(ray.direction) > S::Unit::ZERO;
-        let normal = if inside { -normal } else { normal };
+        let (normal, face) = if inside { (-normal, face.map(|face| -face)) } else { (normal, face) };
         let incoming = ray.direction;
-        Seen::Surface(Surface { point, normal, incoming, distance, inside, extent, color, material })
+        Seen::Surface(Surface { point, normal, face, incoming, distance, inside, extent, color, material })
     }
 
     fn sky<N: Needs>(&self, ray: &Ray<S>) -> Seen<'a, S> {

@@ -1,7 +1,9 @@
 //! The command line.
 
+mod advice;
 mod choice;
 mod explain;
+mod pages;
 mod picture;
 mod scene;
 mod study;
@@ -9,7 +11,9 @@ mod tracing;
 
 use clap::{Parser, Subcommand};
 
+pub use advice::parse;
 pub use explain::{Choice, ExplainArgs};
+pub use pages::{CompletionsArgs, ManArgs};
 pub use picture::{HashArgs, RenderArgs, ShowArgs};
 pub use scene::{BakeArgs, CheckArgs};
 pub use study::{BenchArgs, InstructionsArgs, Peer, ReportArgs, StabilityArgs, TracedArgs};
@@ -18,19 +22,20 @@ pub use tracing::TracingArgs;
 const EXAMPLES: &str = "\
 Examples:
   rta                                               the Juggler on a PS/2
-  rta show glass-2.dat --device pixrect             a scene on a SPARCstation
+  rta glass-2.dat -d pixrect                        a scene on a SPARCstation, as rta show does
   rta render hall-22.dat -o hall.png --format q16   traced in fixed point, as firmware does
   rta render hall-22.dat -o hall.pfm --device none --size 640x480
   rta render - -o - --device none --as ppm <hall-22.dat | pnmtopng >hall.png
   rta render balls2.nff -o balls.png --device none  an NFF scene, as large as it says
 
+Short options of a picture are the keys of its window: -d device, -m model, -f format, -t table.
 Status: 0 if all went well, 2 after any error, 130 if interrupted.";
 
 /// A Whitted ray tracer in fixed point and float, on the displays of 1990
 ///
-/// Without a command, rta shows the Juggler (Eric Graham, 1987) as an IBM PS/2 would.
+/// Without a command, rta shows a scene, or without one the Juggler (Eric Graham, 1987) as an IBM PS/2 would.
 #[derive(Debug, Parser)]
-#[command(name = "rta", version, after_help = EXAMPLES, max_term_width = 100)]
+#[command(name = "rta", version, after_help = EXAMPLES, max_term_width = 100, override_usage = "rta [SCENE] [OPTIONS OF rta show]\n       rta <COMMAND>")]
 pub struct Cli {
     /// What to do; nothing is `show`.
     #[command(subcommand)]
@@ -42,17 +47,18 @@ pub struct Cli {
 pub enum Command {
     /// Show a scene in a window, on the screen of a device
     ///
-    /// The picture fills in as it is traced. Keys: D next device, M next illumination model, F next number
-    /// format, T next colour table, + and - (or up and down) depth, R trace again, S save as a PNG in the current
-    /// folder, H or F1 these keys, Esc or Q leave.
+    /// The picture grows finer as it is traced. Keys: D next device, M next illumination model, F next number format,
+    /// T next colour table, + and - (or up and down) depth, R read the scene file again (a change on disk does so by
+    /// itself), S save as a PNG in the current folder once the picture is complete, P palette, I the pixel under the
+    /// mouse, F11 full screen, H or F1 these keys, Esc or Q leave.
     ///
     /// With no display (neither DISPLAY nor WAYLAND_DISPLAY, or no window to be had) the picture is written as a
     /// PNG into the current folder. No file is ever overwritten by this command.
     Show(ShowArgs),
     /// Trace a scene into a picture file
     ///
-    /// The file appears complete or not at all: it is written beside its place and renamed at the end. Pipes and
-    /// devices are written directly. The bytes do not depend on the number of threads.
+    /// The file appears complete or not at all: it gets its name, or replaces a file of that name, at the end. Pipes and
+    /// devices are written directly. A line on standard error tells of the picture. The bytes do not depend on the number of threads.
     #[command(after_help = EXAMPLES)]
     Render(RenderArgs),
     /// Put every number format through the cases that break ray tracers, beside f64
@@ -97,6 +103,12 @@ pub enum Command {
     /// CPU time counts. Rays are counted apart, by kind, and so are retired instructions (where valgrind is installed).
     /// Of random spheres the table is followed by how the time of a ray grows with their number.
     Bench(BenchArgs),
+    /// Print a script that completes commands and options in a shell
+    ///
+    /// For bash: rta completions bash >~/.local/share/bash-completion/completions/rta
+    Completions(CompletionsArgs),
+    /// Write the manual pages: rta.1, and one of each command
+    Man(ManArgs),
     /// What `rta bench` runs under valgrind.
     #[command(hide = true)]
     Traced(TracedArgs),

@@ -4,5 +4,6 @@ pub mod bake;
 pub mod check;
 pub mod explain;
 pub mod hash;
+pub mod pages;
 pub mod render;
 pub mod show;

@@ -7,17 +7,21 @@
 use rta_core::color::Rgb;
 use rta_core::raster::Raster;
 use rta_core::sampling::Sampling;
-use rta_packets::picture::{self, Picture, Setup};
+use rta_packets::picture::{self, Picture, PutRow, Setup};
 use rta_packets::tally::{Rays, Tally};
 use rta_scenes::description::Description;
 use rta_scenes::in_format;
 use rta_scenes::narrow::Narrow;
+
+use crate::picture::raster::Size;
+use probe::Probe;
 
 pub mod admission;
 pub mod bands;
 pub mod callgrind;
 pub mod cutoff;
 pub mod interrupt;
+pub mod probe;
 pub mod progress;
 
 pub use cutoff::Cutoff;
@@ -84,22 +88,37 @@ pub struct Engine {
 trait Rows: Send + Sync {
     fn linear(&self, first: u32, out: &mut [Rgb<f32>]);
     fn levels(&self, first: u32, gun_max: u8, out: &mut [Rgb<u8>]);
+    fn preview(&self, raster: Raster, first: u32, gun_max: u8, out: &mut [Rgb<u8>]);
     fn rays(&self) -> Rays;
+    fn probe(&self, x: u32, y: u32) -> Probe;
 }
 
 impl<S: Narrow> Rows for Box<dyn Picture<S>> {
     fn linear(&self, first: u32, out: &mut [Rgb<f32>]) {
-        fill(&**self, first, out, |light| light.map(single::<S>));
+        let rows = |first, end, put: PutRow<S>| self.rows(first, end, put);
+        fill::<S, _>(self.setup().raster, first, out, |light| light.map(single::<S>), rows);
     }
 
     fn levels(&self, first: u32, gun_max: u8, out: &mut [Rgb<u8>]) {
-        fill(&**self, first, out, |light| light.levels(gun_max));
+        let rows = |first, end, put: PutRow<S>| self.rows(first, end, put);
+        fill::<S, _>(self.setup().raster, first, out, |light| light.levels(gun_max), rows);
+    }
+
+    fn preview(&self, raster: Raster, first: u32, gun_max: u8, out: &mut [Rgb<u8>]) {
+        let rows = |first, end, put: PutRow<S>| self.preview_rows(raster, first, end, put);
+        fill::<S, _>(raster, first, out, |light| light.levels(gun_max), rows);
     }
 
     fn rays(&self) -> Rays {
         let mut tally = Tally::default();
         self.observed_rows(0, u32::MAX, &mut tally);
         tally.0
+    }
+
+    fn probe(&self, x: u32, y: u32) -> Probe {
+        let mut probe = Probe::default();
+        self.observed_pixel(x, y, &mut probe);
+        probe
     }
 }
 
@@ -109,17 +128,18 @@ pub(crate) fn single<S: Narrow>(light: S::Light) -> f32 {
     S::light_to_f64(light) as f32
 }
 
-/// Fills `out` with the pixels of a picture from row `first` on.
+/// Fills `out` with the pixels of a picture on `raster` from row `first` on; `rows` traces them.
 fn fill<S: Narrow, T>(
-    picture: &dyn Picture<S>,
+    raster: Raster,
     first: u32,
     out: &mut [T],
     convert: impl Fn(Rgb<S::Light>) -> T,
+    rows: impl FnOnce(u32, u32, PutRow<S>),
 ) {
-    let width = picture.setup().raster.width() as usize;
-    let rows = u32::try_from(out.len().div_ceil(width)).unwrap_or(u32::MAX);
+    let width = raster.width() as usize;
+    let count = u32::try_from(out.len().div_ceil(width)).unwrap_or(u32::MAX);
     let mut out = out.chunks_mut(width);
-    picture.rows(first, first.saturating_add(rows), &mut |row| {
+    rows(first, first.saturating_add(count), &mut |row| {
         let pixels = out.next().unwrap_or_default();
         for (pixel, &light) in pixels.iter_mut().zip(row) {
             *pixel = convert(light);
@@ -152,6 +172,30 @@ impl Engine {
     /// The same as levels `0..=gun_max` of a display's guns, rounded in the picture's own number format.
     pub fn level_rows(&self, first: u32, gun_max: u8, out: &mut [Rgb<u8>]) {
         self.rows.levels(first, gun_max, out);
+    }
+
+    /// Fills `out` with levels `0..=gun_max` of a preview of `size` pixels, one sample in the middle of each, from row `first` on. The
+    /// preview fills the picture's screen, so that each of its pixels is the colour of about as many of the picture.
+    ///
+    /// # Errors
+    /// Where the tracer has no raster of this size.
+    pub fn preview_rows(
+        &self,
+        size: Size,
+        first: u32,
+        gun_max: u8,
+        out: &mut [Rgb<u8>],
+    ) -> Result<(), EngineError> {
+        self.rows.preview(Raster::new(size.width(), size.height())?, first, gun_max, out);
+        Ok(())
+    }
+
+    /// Traces the pixel in column `x` of row `y` once more and returns what its rays hit and how many there are. Outside of the
+    /// picture no ray is traced.
+    #[must_use]
+    pub fn probe(&self, x: u32, y: u32) -> Probe {
+        let inside = x < self.settings.width && y < self.settings.height;
+        if inside { self.rows.probe(x, y) } else { Probe::default() }
     }
 
     /// The rays that the whole picture takes. It is traced for that, with an observer that counts them.

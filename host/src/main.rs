@@ -4,10 +4,9 @@
 use std::io::{self, Write};
 use std::process::ExitCode;
 
-use clap::Parser;
-use rta::args::{Cli, Command, ShowArgs};
+use rta::args::{self, Command, ShowArgs};
 use rta::commands::show::window;
-use rta::commands::{bake, check, explain, hash, render};
+use rta::commands::{bake, check, explain, hash, pages, render};
 use rta::engine::interrupt;
 use rta::error::Error;
 use rta::study::{bench, report, stability};
@@ -16,7 +15,7 @@ use rta::study::{bench, report, stability};
 const FAILED: u8 = 2;
 
 fn main() -> ExitCode {
-    let cli = match Cli::try_parse() {
+    let cli = match args::parse(std::env::args_os()) {
         Ok(cli) => cli,
         Err(usage) if usage.use_stderr() => {
             complain(&usage.render().to_string());
@@ -28,6 +27,7 @@ fn main() -> ExitCode {
             return ExitCode::SUCCESS;
         }
     };
+    interrupt::forgo_file_limit();
     match run(cli.command) {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) if error.is_broken_pipe() => ExitCode::SUCCESS,
@@ -53,6 +53,8 @@ fn run(command: Option<Command>) -> Result<(), Error> {
         Some(Command::Bake(args)) => bake::run(&args)?,
         Some(Command::Hash(args)) => hash::run(&args)?,
         Some(Command::Explain(args)) => explain::run(&args)?,
+        Some(Command::Completions(args)) => pages::completions(&args)?,
+        Some(Command::Man(args)) => pages::man(&args)?,
     }
     Ok(())
 }

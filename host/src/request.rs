@@ -49,7 +49,8 @@ impl TracingArgs {
     /// they name none.
     #[must_use]
     pub fn request(&self, target: Target) -> Request {
-        let Self { format, depth, cutoff, table, size, aspect, fit, .. } = *self;
+        let Self { format, depth, cutoff, size, aspect, fit, .. } = *self;
+        let table = self.table.unwrap_or(TableKind::Tolerant);
         let model = self.model.unwrap_or(Model::Rta);
         let sampling = self.samples.sampling(self.jitter);
         Request { target, table, format, model, depth, cutoff, sampling, size, aspect, fit }
@@ -58,8 +59,11 @@ impl TracingArgs {
     /// Returns the request of these arguments for a picture of `scene` on `target`.
     ///
     /// # Errors
-    /// Those of [`Request::for_scene`].
+    /// [`RequestError::TableWithoutDevice`], and those of [`Request::for_scene`].
     pub fn request_for(&self, target: Target, scene: &SceneFile) -> Result<Request, RequestError> {
+        if target == Target::None && self.table.is_some() {
+            return Err(RequestError::TableWithoutDevice);
+        }
         self.request(target).for_scene(self.model, scene)
     }
 }

@@ -27,7 +27,7 @@ use core::fmt::{self, Display, Write};
 
 use crate::description::{Camera, Cylinder, Description, Ellipsoid, Floor, Lamp, Sky, Sphere, Surface};
 use crate::error::{Found, SceneError};
-use crate::numbers::{AXES, Numbers, Range};
+use crate::numbers::{AXES, Numbers, Range, Short};
 use crate::tokens::Tokens;
 
 /// Most objects of one kind that a file may hold: the tracer numbers them with 16 bits.
@@ -227,7 +227,8 @@ impl Reader<'_> {
                 // The sum itself is rounded, by far less than 1e-15.
                 if (ks + kt - 1.0).abs() > SHARES_TOLERANCE + 1e-15 {
                     let expected = format!("the kt of {which} (ks + kt = 1 within {SHARES_TOLERANCE:e})");
-                    let found = Found::Number(format!("ks + kt = {ks} + {kt}"));
+                    let found =
+                        Found::Number(format!("ks + kt = {} + {}", Short::nearest(ks), Short::nearest(kt)));
                     return Err(self.0.error(line, column, expected, found));
                 }
                 let ior =

@@ -39,6 +39,7 @@ mod tokens;
 pub use bake::bake;
 pub use format::Format;
 pub use model::Model;
+pub use numbers::Short;
 
 use std::path::Path;
 

@@ -224,11 +224,11 @@ mod tests {
         assert_eq!(refused(|_| ()), "admitted");
         assert_eq!(
             refused(|s| s.spheres[1].position[0] = -40000.0),
-            "sphere 2 (line 9) is out of q16's range: x (with the radius) 40000.9, beyond the largest 32767.99998474121"
+            "sphere 2 (line 9) is out of q16's range: x (with the radius) 40000.9, beyond the largest 32767.9"
         );
         assert_eq!(
             refused(|s| s.spheres[0].radius = 1e-5),
-            "sphere 1 (line 8) is out of q16's range: the radius 0.00001, below the smallest 0.000244140625"
+            "sphere 1 (line 8) is out of q16's range: the radius 1e-5, below the smallest 0.000244141"
         );
         assert!(
             refused(|s| s.lamps[1].color[2] = 1e12)

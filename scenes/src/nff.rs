@@ -28,7 +28,7 @@ use core::fmt::Display;
 
 use crate::description::{Camera, Cone, Description, Lamp, Model, Side, Sky, Sphere, Surface, Triangle};
 use crate::error::{Found, SceneError};
-use crate::numbers::{AXES, Numbers, Range};
+use crate::numbers::{AXES, Numbers, Range, Short};
 use crate::space::{Triple, cross, difference, length, unit};
 use crate::tokens::{Token, Tokens};
 
@@ -254,7 +254,8 @@ impl Reader<'_> {
         };
         if !range.holds(apex_radius) {
             let expected = format!("the apex radius of cone {which} ({range} like the base radius)");
-            let found = Found::Number(format!("{apex_radius} (the base radius is {base_radius})"));
+            let [apex, base] = [apex_radius, base_radius].map(Short::nearest);
+            let found = Found::Number(format!("{apex} (the base radius is {base})"));
             return Err(self.tokens.error(line_of_radius, column, expected, found));
         }
         self.scene.cones.push(Cone {

@@ -67,6 +67,63 @@ impl Display for Numbers<'_> {
     }
 }
 
+/// A number in a message, with at most six digits, and with an exponent where it is long.
+#[derive(Clone, Copy, Debug)]
+pub struct Short {
+    number: f64,
+    /// Whether it is rounded to what is not smaller, to what is not larger, or to the nearest.
+    toward: core::cmp::Ordering,
+}
+
+impl Short {
+    /// Returns the nearest short number.
+    #[must_use]
+    pub const fn nearest(number: f64) -> Self {
+        Self { number, toward: core::cmp::Ordering::Equal }
+    }
+
+    /// Returns the largest short number that is not above `number`, which is 0 or more.
+    #[must_use]
+    pub const fn at_most(number: f64) -> Self {
+        Self { number, toward: core::cmp::Ordering::Less }
+    }
+
+    /// Returns the smallest short number that is not below `number`, which is 0 or more.
+    #[must_use]
+    pub const fn at_least(number: f64) -> Self {
+        Self { number, toward: core::cmp::Ordering::Greater }
+    }
+
+    /// Returns the number with six digits.
+    fn rounded(self) -> f64 {
+        let text = format!("{:.5e}", self.number);
+        let read = |text: &str| text.parse::<f64>().unwrap_or(self.number);
+        let Some((mantissa, exponent)) = text.split_once('e') else { return self.number };
+        let Ok(digits) = mantissa.replace('.', "").parse::<i64>() else { return self.number };
+        let step = match (self.toward, read(&text).total_cmp(&self.number)) {
+            (core::cmp::Ordering::Less, core::cmp::Ordering::Greater) => -1,
+            (core::cmp::Ordering::Greater, core::cmp::Ordering::Less) => 1,
+            _ => 0,
+        };
+        let power = exponent.parse::<i32>().unwrap_or(0) - 5;
+        // Below a power of ten the steps are a tenth.
+        let (digits, power) =
+            if step < 0 && digits == 100_000 { (10 * digits, power - 1) } else { (digits, power) };
+        read(&format!("{}e{power}", digits + step))
+    }
+}
+
+impl Display for Short {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let number = self.rounded();
+        if number == 0.0 || !number.is_finite() || (1e-4..1e9).contains(&number.abs()) {
+            write!(f, "{number}")
+        } else {
+            write!(f, "{number:e}")
+        }
+    }
+}
+
 /// The next pieces, read as what a format wants there. `what` is only written where it is not there.
 impl Tokens<'_> {
     pub(crate) fn color(&mut self, what: impl Display) -> Result<[f64; 3], SceneError> {
@@ -108,5 +165,31 @@ impl Tokens<'_> {
             let found = token.map_or(Found::EndOfFile, |token| Found::token(token.text));
             self.error(line, column, expected.to_string(), found)
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Short;
+
+    #[test]
+    fn short_numbers_are_short_and_on_the_right_side() {
+        let limit = 32768.0 - 1.0 / 65536.0;
+        for (number, least, nearest, most) in [
+            (0.0, "0", "0", "0"),
+            (90001.0, "90001", "90001", "90001"),
+            (limit, "32768", "32768", "32767.9"),
+            (f64::from(1e18_f32), "1e18", "1e18", "9.99999e17"),
+            (1e300, "1e300", "1e300", "1e300"),
+            (1.0 / 3.0, "0.333334", "0.333333", "0.333333"),
+            (1e-9 / 3.0, "3.33334e-10", "3.33333e-10", "3.33333e-10"),
+            (9.999_999, "10", "10", "9.99999"),
+            (f64::INFINITY, "inf", "inf", "inf"),
+        ] {
+            assert_eq!(Short::at_least(number).to_string(), least);
+            assert_eq!(Short::nearest(number).to_string(), nearest);
+            assert_eq!(Short::at_most(number).to_string(), most);
+        }
+        assert_eq!(Short::nearest(-2.0 / 3.0).to_string(), "-0.666667");
     }
 }

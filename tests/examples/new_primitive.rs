@@ -46,7 +46,7 @@ impl<S: Scalar> Primitive<S> for Disc<S> {
         let place = ray.origin.along(ray.direction, t) - self.center;
         // Back into the plane by what the roundings have left.
         let place = place.reject(self.normal, place.dot(self.normal));
-        SurfacePoint { distance: t, point: self.center + place, normal: self.normal }
+        SurfacePoint { distance: t, point: self.center + place, normal: self.normal, face: None }
     }
 
     fn look(&self) -> Look<'_, S> {
@@ -58,12 +58,12 @@ impl<S: Scalar> Primitive<S> for Disc<S> {
 /// What the disc sends back of a lamp along a ray: the tracer's steps for one ray.
 fn seen<S: Scalar>(disc: &Disc<S>, ray: &Ray<S>, lamp: &Lamp<S>) -> Option<Rgb<S::Light>> {
     let t = disc.intersect(ray, S::FAR)?;
-    let SurfacePoint { distance, point, normal } = disc.point::<Everything>(ray, t);
+    let SurfacePoint { distance, point, normal, face } = disc.point::<Everything>(ray, t);
     let inside = normal.dot(ray.direction) > S::Unit::ZERO;
     let normal = if inside { -normal } else { normal };
     let Look { color, material, extent, .. } = disc.look();
     let surface =
-        Surface { point, normal, incoming: ray.direction, distance, inside, extent, color, material };
+        Surface { point, normal, face, incoming: ray.direction, distance, inside, extent, color, material };
     let incident = Incident::new(lamp, point, normal)?;
     Some(rta_core::trace::decision::direct::<S, _, Everything>(&Rta, &surface, &incident))
 }

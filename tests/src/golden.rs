@@ -19,6 +19,7 @@ use rta::args::ShowArgs;
 use rta::device::{Device, Target};
 use rta::engine::{Format, Model};
 use rta::error::Error;
+use rta::picture::output::Inputs;
 use rta::picture::{Displayed, Pixels};
 use rta::render::Work;
 use rta::request::Request;
@@ -98,7 +99,8 @@ pub fn request(device: Device, format: Format) -> Request {
 /// Returns a shipped scene, by its name without extension.
 #[must_use]
 pub fn scene(name: &str) -> Scene {
-    Scene { source: format!("{name}.dat"), title: name.into(), description: shipped_scene(name) }
+    let description = shipped_scene(name);
+    Scene { source: format!("{name}.dat"), title: name.into(), description, inputs: Inputs::default() }
 }
 
 /// Draws a shipped scene on a device in Q16.16, by one thread.

@@ -1,7 +1,8 @@
-//! Tools of the tests that span several crates: an independent renderer ([`oracle`]), generated scenes
-//! ([`random_scenes`]), golden pictures ([`golden`]), comparison of pictures ([`picture`],
+//! Tools of the tests that span several crates: independent renderers ([`oracle`]), generated scenes
+//! ([`random_scenes`]), golden pictures ([`golden`]), comparison of pictures ([`picture`], [`agreement`],
 //! [`exact`]), and the boards under emulation ([`boards`]).
 
+pub mod agreement;
 pub mod boards;
 pub mod close;
 pub mod exact;

@@ -1,4 +1,4 @@
-//! An independent renderer in `f64`, to judge the tracer by.
+//! Independent renderers in `f64`, to judge the tracer by: of the thesis's scenes here, and of NFF in [`nff`].
 //!
 //! It is written from the model's text alone and shares no code with the core: recursion, the general quadric
 //! a(x-x0)^2 + b(y-y0)^2 + c(z-z0)^2 + d = 0 for every primitive, schoolbook roots, nothing clever and nothing
@@ -6,10 +6,13 @@
 
 use rta_scenes::description::{Description, Surface};
 
+use vector::{Vector, cross, difference, dot, largest, product, scale, sum, unit};
+
+pub mod nff;
 #[cfg(test)]
 mod tests;
+mod vector;
 
-type Vector = [f64; 3];
 type Color = [f64; 3];
 
 /// The model's k1 and k2: a surface takes `(n.z + k1) k2` of the ambient light, where n is its normal.
@@ -151,7 +154,7 @@ impl<'a> Oracle<'a> {
                 };
                 sum([scale(ks, product(i_ref, hit.color)), scale(kt, i_tra)])
             }
-            // Scenes in NFF have another model, which has tests of its own.
+            // Scenes in NFF have another model, and an oracle of their own.
             Surface::Finish { .. } => [0.0; 3],
         }
     }
@@ -255,38 +258,4 @@ impl Quadric {
     fn outward(&self, point: Vector) -> Vector {
         unit(product(self.abc, difference(point, self.center)))
     }
-}
-
-fn sum<const N: usize>(vectors: [Vector; N]) -> Vector {
-    vectors.into_iter().fold([0.0; 3], |[x, y, z], [u, v, w]| [x + u, y + v, z + w])
-}
-
-fn difference([x, y, z]: Vector, [u, v, w]: Vector) -> Vector {
-    [x - u, y - v, z - w]
-}
-
-/// Returns the product component by component.
-fn product([x, y, z]: Vector, [u, v, w]: Vector) -> Vector {
-    [x * u, y * v, z * w]
-}
-
-fn scale(factor: f64, vector: Vector) -> Vector {
-    vector.map(|part| factor * part)
-}
-
-fn dot(u: Vector, v: Vector) -> f64 {
-    let [x, y, z] = product(u, v);
-    x + y + z
-}
-
-fn cross([x, y, z]: Vector, [u, v, w]: Vector) -> Vector {
-    [y * w - z * v, z * u - x * w, x * v - y * u]
-}
-
-fn unit(vector: Vector) -> Vector {
-    scale(1.0 / dot(vector, vector).sqrt(), vector)
-}
-
-fn largest(vector: Vector) -> f64 {
-    vector.iter().fold(0.0, |most, part| most.max(part.abs()))
 }

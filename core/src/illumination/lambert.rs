@@ -57,6 +57,7 @@ mod tests {
             let surface = Surface {
                 point: Xyz::new(Q16::ZERO, Q16::ZERO, Q16::ZERO),
                 normal: UnitVec3::<Q16>::Z,
+                face: None,
                 incoming: -UnitVec3::<Q16>::Z,
                 distance: Q16::ONE,
                 inside: false,

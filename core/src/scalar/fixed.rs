@@ -68,6 +68,7 @@ impl Unit for I2F30 {
     const ZERO: Self = Self::ZERO;
     const ONE: Self = Self::ONE;
     const LARGEST: Magnitude = Magnitude::new(1 << 31, -30);
+    const ROUNDING: Self = Self::from_bits(8);
     #[cfg_attr(not(target_os = "none"), inline)]
     fn size(self) -> Magnitude {
         Magnitude::new(u64::from(self.to_bits().unsigned_abs()), -30)

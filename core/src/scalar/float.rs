@@ -12,6 +12,7 @@ macro_rules! float {
             const ZERO: Self = 0.0;
             const ONE: Self = 1.0;
             const LARGEST: Magnitude = $size($far);
+            const ROUNDING: Self = 2.0 * <$f>::EPSILON;
             #[cfg_attr(not(target_os = "none"), inline)]
             fn size(self) -> Magnitude {
                 $size(self)
@@ -105,8 +106,11 @@ macro_rules! float {
                 self * factor
             }
             #[cfg_attr(not(target_os = "none"), inline)]
-            fn square(self) -> Self {
-                self * self
+            fn product(self, other: Self) -> Self {
+                self * other
+            }
+            fn part(part: Self, whole: Self) -> Self {
+                if part == whole { 1.0 } else { part / whole }
             }
             fn sqrt(square: Self) -> Self {
                 if square > 0.0 { $sqrt(square) } else { 0.0 }
@@ -120,7 +124,8 @@ macro_rules! float {
             }
             #[cfg_attr(not(target_os = "none"), inline)]
             fn stretch(self, slope: Self) -> Self {
-                (self * slope).clamp(-$far, $far)
+                let last = <$f>::next_down($far);
+                (self * slope).clamp(-last, last)
             }
             fn over(self, slope: Self) -> Self {
                 (self / slope).min($far)
@@ -133,8 +138,8 @@ macro_rules! float {
                 self + 16.0 * <$f>::EPSILON * (distance.abs() + self)
             }
             #[cfg_attr(not(target_os = "none"), inline)]
-            fn next_up(self) -> Self {
-                Self::from_bits(self.to_bits() + 1)
+            fn at_one_place(self, extent: Self, cosine: Self) -> Self {
+                (self + 2.0 * <$f>::EPSILON * (self + extent) / cosine).min($far)
             }
             #[cfg_attr(target_os = "none", inline(never))] // four places ask
             #[allow(clippy::cast_possible_truncation, clippy::cast_precision_loss)] // within its digits

@@ -97,7 +97,7 @@ impl PartialOrd for Magnitude {
 }
 
 impl fmt::Display for Magnitude {
-    /// Writes a short number in decimals, to at most four places, and others as a product with a power of two.
+    /// Writes a number in decimals, to at most four places or, where it is very large or small, four digits, rounded up.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { mantissa, exponent } = *self;
         let mantissa = u64::from(mantissa);
@@ -109,15 +109,41 @@ impl fmt::Display for Magnitude {
                 let (whole, part) = (ten_thousandths / 10_000, ten_thousandths % 10_000);
                 if part == 0 { write!(f, "{whole}") } else { write!(f, "{whole}.{part:04}") }
             }
-            _ => write!(
-                f,
-                "{}.{:03} x 2^{}",
-                mantissa >> 31,
-                ((mantissa & 0x7fff_ffff) * 1000) >> 31,
-                exponent + 31
-            ),
+            _ => {
+                let (digits, power) = four_digits(mantissa, exponent);
+                let (first, rest) = (digits / 1000, digits % 1000);
+                let power = power + 3;
+                if rest == 0 { write!(f, "{first}e{power}") } else { write!(f, "{first}.{rest:03}e{power}") }
+            }
         }
     }
+}
+
+/// Returns `value * 2^exponent` as 1000 to 9999 times a power of ten, and that power, rounded up. `value` is not 0.
+fn four_digits(mut value: u64, mut exponent: i32) -> (u64, i32) {
+    let mut power = 0;
+    // Factors of two become factors of ten, with as many digits on the way as a word holds.
+    while exponent > 0 {
+        if value.leading_zeros() > 0 {
+            (value, exponent) = (value << 1, exponent - 1);
+        } else {
+            (value, power) = (value.div_ceil(10), power + 1);
+        }
+    }
+    while exponent < 0 {
+        if let Some(more) = value.checked_mul(10) {
+            (value, power) = (more, power - 1);
+        } else {
+            (value, exponent) = (value.div_ceil(2), exponent + 1);
+        }
+    }
+    while value > 9999 {
+        (value, power) = (value.div_ceil(10), power + 1);
+    }
+    while value < 1000 {
+        (value, power) = (value * 10, power - 1);
+    }
+    (value, power)
 }
 
 #[cfg(test)]
@@ -167,7 +193,10 @@ mod tests {
         assert_eq!(show(32768, 0), "32768");
         assert_eq!(show(3, -1), "1.5000");
         assert_eq!(show(1, 40), "1099511627776");
-        assert_eq!(show(3, 99), "1.500 x 2^100");
+        assert_eq!(show(3, 99), "1.902e30");
+        assert_eq!(show(1, -70), "8.471e-22");
+        assert_eq!(show(5 << 60, 1000), "6.177e319");
+        assert_eq!(show(125, -60), "1.085e-16");
         assert_eq!(show(0, 0), "0");
     }
 }

@@ -6,7 +6,7 @@
 pub struct Limits<S> {
     /// Distance from a ray's origin beyond which a place of the floor is lit as if it were at this distance.
     pub floor_end: S,
-    /// Vertical cylinders are seen between this height and its negative.
+    /// A place of a vertical cylinder above this height, or below its negative, is lit as if it were there.
     pub cylinder_end: S,
     /// The greatest depth of a ray at which its weight fits the number format. It is 255 where no surface sends back more light
     /// than it receives.

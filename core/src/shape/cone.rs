@@ -9,7 +9,7 @@ use crate::color::Rgb;
 use crate::material::Material;
 use crate::needs::Needs;
 use crate::ray::Ray;
-use crate::scalar::vector::{LengthVector, UnitVec3, UnitVector, Vec3};
+use crate::scalar::vector::{LengthVector, UnitVec3, UnitVector, Vec3, Vector};
 use crate::scalar::{Scalar, Unit};
 
 /// A truncated cone, or a cylinder, between two points.
@@ -50,12 +50,24 @@ struct Local<S: Scalar> {
     /// From the exact foot point to that place, in spans: what rounding left.
     past: S::Unit,
     foot: UnitVec3<S>,
-    /// Components of foot point and direction normal to the axis.
-    foot_across: UnitVec3<S>,
-    across: UnitVec3<S>,
     /// Components of foot point and direction along the axis.
     foot_along: S::Unit,
     along: S::Unit,
+    /// Components of foot point and direction across the axis.
+    foot_across: UnitVec3<S>,
+    across: UnitVec3<S>,
+    /// Unit vector across the axis, in which the ray moves across it.
+    heading: UnitVec3<S>,
+    /// Reciprocal of the length of `across`; `None` where it is too short to have been rounded well.
+    stretch: Option<<S::Unit as Unit>::Inverse>,
+}
+
+/// Where a ray meets the endless side, both parts of a double cone.
+struct Crossings<S: Scalar> {
+    /// Offsets from the foot point along the ray in spans.
+    offsets: [Option<S::Unit>; 2],
+    /// By how much the ends are moved, because the offsets are rounded.
+    margin: S::Unit,
 }
 
 /// A hit: its offset from the foot point along the ray in spans, its distance, and which part of the cone it is on.
@@ -88,15 +100,69 @@ impl<S: Scalar> Cone<S> {
         let past = beside.dot(ray.direction);
         let foot = beside.plus(ray.direction, -past);
         let (foot_along, along) = (foot.dot(self.axis), ray.direction.dot(self.axis));
-        Some(Local {
-            b,
-            past,
-            foot,
-            foot_across: foot.plus(self.axis, -foot_along),
-            across: ray.direction.plus(self.axis, -along),
-            foot_along,
-            along,
-        })
+        let foot_across = foot.plus(self.axis, -foot_along);
+        let across = ray.direction.plus(self.axis, -along);
+        let short = S::Unit::ratio(255, 256);
+        let (heading, stretch) = match across.normalize() {
+            Some((heading, stretch)) if along < short && along > -short => (heading, Some(stretch)),
+            leaning => (self.heading(leaning.map(|(heading, _)| heading), foot_across), None),
+        };
+        Some(Local { b, past, foot, foot_along, along, foot_across, across, heading, stretch })
+    }
+
+    /// Returns the heading of a ray almost along the axis: `leaning`, the unit vector along a short `across`, leans along the axis,
+    /// because the short vector was rounded. Where it is 0, the heading is along `foot_across`, or any across the axis.
+    fn heading(&self, leaning: Option<UnitVec3<S>>, foot_across: UnitVec3<S>) -> UnitVec3<S> {
+        let unit = |v: UnitVec3<S>| v.normalize().map(|(unit, _)| unit);
+        let upright = |v: UnitVec3<S>| unit(v.plus(self.axis, -v.dot(self.axis)));
+        let any = || unit(self.axis.cross(UnitVec3::<S>::X)).unwrap_or(UnitVec3::<S>::Y);
+        leaning.or_else(|| unit(foot_across)).and_then(upright).unwrap_or_else(any)
+    }
+
+    /// Returns the two places, if any, at which the ray meets the endless side.
+    ///
+    /// In the plane across the axis, with `B` along [`Local::heading`] and `H` beside it, the side is
+    /// `(B + K s)^2 + H^2 = (g + M s)^2`. `K` and `M`, how fast the ray moves across the axis and how fast the radius grows, are
+    /// scaled to `K^2 + M^2 = 1`, so that no digit is lost for a ray almost along the axis. A fourth of the discriminant is
+    /// `(K g - M B)^2 - (K^2 - M^2) H^2`: the distance along the axis has been cancelled in it by hand, so the hit errs by some
+    /// roundings of a span, however thin the cone is and wherever along it the ray passes.
+    fn side(&self, local: &Local<S>) -> Option<Crossings<S>> {
+        let (zero, heading) = (S::Unit::ZERO, local.heading);
+        let beside = self.cosine.times(local.foot_across.dot(self.axis.cross(heading)));
+        let [base, apex] = self.radii;
+        let widest = self.cosine.times(if base > apex { base } else { apex }) + S::Unit::ROUNDING;
+        if beside > widest || beside < -widest {
+            return None;
+        }
+        let before = self.cosine.times(local.foot_across.dot(heading));
+        let g = self.waist + self.sine.times(local.foot_along);
+        if self.sine == zero
+            && let Some(stretch) = local.stretch
+        {
+            // A cylinder: K is 1, M is 0.
+            let root = S::Unit::radical(g, zero, beside)?;
+            let roots = [-(before + root), root - before];
+            let offsets = roots.map(|root| Some(root.over(stretch)));
+            return Some(Crossings { offsets, margin: S::Unit::ROUNDING.over(stretch) });
+        }
+        let slopes: UnitVec3<S> =
+            Vector::new(self.cosine.times(local.across.dot(heading)), self.sine.times(local.along), zero);
+        let (slopes, stretch) = slopes.normalize()?;
+        let (k, m) = (slopes.x(), slopes.y());
+        let root = S::Unit::radical(k.times(g) - m.times(before), m.times(beside), k.times(beside))?;
+        let h = before.times(k) - g.times(m);
+        let a = (k - m).times(k + m);
+        let sixteenth = S::Unit::ratio(1, 16);
+        let roots = if a >= sixteenth || a <= -sixteenth {
+            [Some((-h - root).quotient(a)), Some((root - h).quotient(a))]
+        } else {
+            // The ray is almost parallel to the side: one root is far away, the other must not be a difference.
+            let q = if h > zero { -(h + root) } else { root - h };
+            let c = (before - g).times(before + g) + beside.times(beside);
+            [(a != zero).then(|| q.quotient(a)), (q != zero).then(|| c.quotient(q))]
+        };
+        let offset = |root: Option<S::Unit>| root.map(|root| root.over(stretch));
+        Some(Crossings { offsets: roots.map(offset), margin: S::Unit::ROUNDING.over(stretch) })
     }
 
     /// Returns the nearest hit at a distance above 0 and below `t_max`, if there is one.
@@ -104,28 +170,19 @@ impl<S: Scalar> Cone<S> {
         let (zero, one) = (S::Unit::ZERO, S::Unit::ONE);
         let mut nearest: Option<Meeting<S>> = None;
         let mut see = |offset: S::Unit, part: Part| {
-            if !(offset > -one && offset < one) {
-                return;
-            }
             let distance = local.b + self.span.scale(offset - local.past);
             let limit = nearest.map_or(t_max, |nearest| nearest.distance);
             if distance > S::ZERO && distance < limit {
                 nearest = Some(Meeting { offset, distance, part });
             }
         };
-        let (cosine_squared, slope) = (self.cosine.times(self.cosine), self.sine.times(local.along));
-        let g = self.waist + self.sine.times(local.foot_along);
-        let a = cosine_squared.times(local.across.dot(local.across)) - slope.times(slope);
-        let b = cosine_squared.times(local.foot_across.dot(local.across)) - g.times(slope);
-        let c = cosine_squared.times(local.foot_across.dot(local.foot_across)) - g.times(g);
-        if let Some(root) = S::Unit::discriminant(b, a, c) {
-            let q = if b > zero { -(b + root) } else { root - b };
-            for offset in [q.quotient(a), c.quotient(q)] {
-                // A quotient that saturates lies outside the bounding sphere.
-                let within = offset > -one && offset < one;
-                let z = if within { local.foot_along + offset.times(local.along) } else { one };
-                if z >= -self.half_height
-                    && z <= self.half_height
+        // What saturates lies outside the bounding sphere.
+        let within = |offset: S::Unit| offset > -one && offset < one;
+        if let Some(Crossings { offsets, margin }) = self.side(local) {
+            for offset in offsets.into_iter().flatten().filter(|&offset| within(offset)) {
+                let z = local.foot_along + offset.times(local.along);
+                let beyond = if z < zero { -z } else { z } - self.half_height;
+                if beyond <= margin
                     && (!self.inside_only || self.side_normal(local, offset).dot(ray.direction) > zero)
                 {
                     see(offset, Part::Side);
@@ -139,9 +196,9 @@ impl<S: Scalar> Cone<S> {
             ] {
                 let offset = (z - local.foot_along).quotient(local.along);
                 let outwards = (local.along > zero) == matches!(part, Part::Apex);
-                if offset > -one && offset < one && (!self.inside_only || outwards) {
+                if within(offset) && (!self.inside_only || outwards) {
                     let across = local.foot_across.plus(local.across, offset);
-                    if across.half_chord(radius).is_some() {
+                    if across.half_chord(radius + S::Unit::ROUNDING).is_some() {
                         see(offset, part);
                     }
                 }
@@ -150,10 +207,12 @@ impl<S: Scalar> Cone<S> {
         nearest
     }
 
-    /// Returns the outward unit normal of the side at an offset from the foot point.
+    /// Returns the outward unit normal of the side at an offset from the foot point; at the apex, one that faces the ray.
     fn side_normal(&self, local: &Local<S>, offset: S::Unit) -> UnitVec3<S> {
         let across = local.foot_across.plus(local.across, offset);
-        let Some((radial, _)) = across.normalize() else { return self.axis };
+        let is_axis = across.half_chord(S::Unit::ROUNDING).is_some();
+        let radial = if is_axis { None } else { across.normalize() };
+        let radial = radial.map_or(-local.heading, |(radial, _)| radial);
         radial.scale(self.cosine).plus(self.axis, -self.sine).tighten()
     }
 }
@@ -165,8 +224,12 @@ impl<S: Scalar> Primitive<S> for Cone<S> {
     }
 
     fn point<N: Needs>(&self, ray: &Ray<S>, t: S) -> SurfacePoint<S> {
-        let lost =
-            SurfacePoint { distance: t, point: ray.origin.along(ray.direction, t), normal: -ray.direction };
+        let lost = SurfacePoint {
+            distance: t,
+            point: ray.origin.along(ray.direction, t),
+            normal: -ray.direction,
+            face: None,
+        };
         let Some(local) = self.local(ray, S::FAR) else { return lost };
         let Some(Meeting { offset, distance, part }) = self.meet(ray, &local, S::FAR) else { return lost };
         let place = local.foot.plus(ray.direction, offset);
@@ -182,16 +245,15 @@ impl<S: Scalar> Primitive<S> for Cone<S> {
             Part::Apex => (self.axis, z - self.half_height),
         };
         let place = place.plus(normal, -off);
-        SurfacePoint { distance, point: self.center.along(place, self.span), normal }
+        SurfacePoint { distance, point: self.center.along(place, self.span), normal, face: None }
     }
 
     fn look(&self) -> Look<'_, S> {
-        let [base, apex] = self.radii;
         let radius = self.span.scale(S::Unit::ratio(1, 2));
         Look {
             color: self.color,
             material: &self.material,
-            extent: self.span.squashed(if base > apex { base } else { apex }),
+            extent: self.span,
             center: self.center,
             radius,
             least: radius,

@@ -8,8 +8,8 @@ use crate::ray::{GroundPlan, Ray};
 use crate::scalar::vector::{LengthVector, UnitVec3, UnitVector, Vec3, Vector};
 use crate::scalar::{Scalar, Unit};
 
-/// An infinite vertical cylinder, visible up to the height
-/// [`Limits::cylinder_end`](crate::scene::Limits::cylinder_end) and down to its negative.
+/// An infinite vertical cylinder. It is visible at any height; a hit above the height
+/// [`Limits::cylinder_end`](crate::scene::Limits::cylinder_end), or below its negative, is lit as if it were there.
 #[derive(Clone, Copy, Debug)]
 pub struct Cylinder<S: Scalar> {
     /// A place on the axis.
@@ -36,7 +36,7 @@ impl<S: Scalar> Primitive<S> for Cylinder<S> {
 
     /// Returns `None` also where the ray has no [`plan`](Ray::plan).
     fn intersect(&self, ray: &Ray<S>, t_max: S) -> Option<S> {
-        let GroundPlan { direction: plan, cylinder_end: end } = ray.plan?;
+        let plan = ray.plan?.direction;
         let displacement = self.center - ray.origin;
         let b = displacement.dot_plan(plan);
         if b + self.radius <= S::ZERO {
@@ -48,18 +48,17 @@ impl<S: Scalar> Primitive<S> for Cylinder<S> {
             return None;
         }
         let half = S::sqrt(square - across);
-        let t = ahead((b - half).stretch(plan.stretch), (b + half).stretch(plan.stretch), t_max)?;
-        let (z, rise) = (ray.origin.z(), t.scale(ray.direction.z()));
-        (rise < end - z && rise > -end - z).then_some(t)
+        ahead((b - half).stretch(plan.stretch), (b + half).stretch(plan.stretch), t_max)
     }
 
     fn point<N: Needs>(&self, ray: &Ray<S>, t: S) -> SurfacePoint<S> {
-        let Some(plan) = ray.plan.map(|plan| plan.direction).or_else(|| ray.direction.plan()) else {
+        let Some(GroundPlan { direction: plan, cylinder_end: end }) = ray.plan else {
             // A vertical ray meets no cylinder.
             return SurfacePoint {
                 distance: t,
                 point: ray.origin.along(ray.direction, t),
                 normal: -ray.direction,
+                face: None,
             };
         };
         let displacement = self.center - ray.origin;
@@ -78,12 +77,17 @@ impl<S: Scalar> Primitive<S> for Cylinder<S> {
             S::Unit::ZERO,
         );
         let normal = normal.tighten();
-        let axis = Vec3::<S>::new(
-            self.center.x(),
-            self.center.y(),
-            ray.origin.z() + distance.scale(ray.direction.z()),
-        );
-        SurfacePoint { distance, point: axis.along(normal, self.radius), normal }
+        // The hit may lie where the format has no numbers. Neither normal nor colour depends on the height.
+        let (z, rise) = (ray.origin.z(), distance.scale(ray.direction.z()));
+        let height = if rise >= end - z {
+            end
+        } else if rise <= -end - z {
+            -end
+        } else {
+            z + rise
+        };
+        let axis = Vec3::<S>::new(self.center.x(), self.center.y(), height);
+        SurfacePoint { distance, point: axis.along(normal, self.radius), normal, face: None }
     }
 
     /// The look's centre is where the axis meets the floor.

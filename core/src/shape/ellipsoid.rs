@@ -99,8 +99,12 @@ impl<S: Scalar> Primitive<S> for Ellipsoid<S> {
     }
 
     fn point<N: Needs>(&self, ray: &Ray<S>, t: S) -> SurfacePoint<S> {
-        let up =
-            SurfacePoint { distance: t, point: ray.origin.along(ray.direction, t), normal: -ray.direction };
+        let up = SurfacePoint {
+            distance: t,
+            point: ray.origin.along(ray.direction, t),
+            normal: -ray.direction,
+            face: None,
+        };
         let Some(s) = self.squash(ray, S::FAR) else { return up };
         let (near, far) = self.roots(&s);
         let (distance, offset) = if near > S::ZERO { (near, -s.half) } else { (far, s.half) };
@@ -109,7 +113,7 @@ impl<S: Scalar> Primitive<S> for Ellipsoid<S> {
         let Some((normal, _)) = place.times(self.squash).normalize() else { return up };
         let (r, p) = (self.radii, place);
         let arm = Vec3::<S>::new(r.x().scale(p.x()), r.y().scale(p.y()), r.z().scale(p.z()));
-        SurfacePoint { distance, point: self.center + arm, normal }
+        SurfacePoint { distance, point: self.center + arm, normal, face: None }
     }
 
     fn look(&self) -> Look<'_, S> {

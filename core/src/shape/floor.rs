@@ -43,7 +43,7 @@ impl<S: Scalar> Floor<S> {
         let point = Vec3::<S>::new(place.x(), place.y(), S::ZERO);
         let [even_color, odd_color] = self.colors;
         (
-            SurfacePoint { distance: t, point, normal: UnitVec3::<S>::Z },
+            SurfacePoint { distance: t, point, normal: UnitVec3::<S>::Z, face: None },
             if odd { odd_color } else { even_color },
         )
     }

@@ -73,7 +73,7 @@ impl<S: Scalar> Primitive<S> for Sphere<S> {
             None => (foot.normalize().map_or(-ray.direction, |(normal, _)| normal), -past),
         };
         let point = self.center.along(normal, self.radius);
-        SurfacePoint { distance: b + self.radius.scale(offset), point, normal }
+        SurfacePoint { distance: b + self.radius.scale(offset), point, normal, face: None }
     }
 
     #[inline]

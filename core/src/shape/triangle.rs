@@ -1,29 +1,26 @@
-//! The triangle: its plane, and three planes that stand on it along the edges.
+//! The triangle, by the perpendicular feet of its vertices on the ray.
 //!
-//! The hit is computed relative to a corner, so that no length exceeds the triangle's. A place on an edge belongs to both
-//! triangles that share it.
+//! A foot depends on ray and vertex alone, so triangles that share an edge compare equal numbers, whose difference has an exact
+//! sign: no ray passes between them, and no tolerance is needed (S. Woop, C. Benthin and I. Wald, "Watertight Ray/Triangle
+//! Intersection", JCGT 2(1), 2013, here without its shear and its division).
 
 use super::{Look, Primitive, SurfacePoint};
 use crate::color::Rgb;
 use crate::material::Material;
 use crate::needs::{Needs, Used};
 use crate::ray::Ray;
-use crate::scalar::vector::{LengthVector, UnitVec3, UnitVector, Vec3};
+use crate::scalar::vector::{LengthVector, UnitVec3, UnitVector, Vec3, Vector};
 use crate::scalar::{Scalar, Unit};
 
 /// A triangle, visible from both sides.
 #[derive(Clone, Copy, Debug)]
 pub struct Triangle<S: Scalar> {
-    /// The first vertex.
-    pub corner: Vec3<S>,
-    /// The length of the longer edge at that vertex.
+    /// The vertices.
+    pub vertices: [Vec3<S>; 3],
+    /// The length of the longer edge at the first vertex.
     pub extent: S,
     /// Unit normal on the side from which the vertices run counterclockwise.
     pub normal: UnitVec3<S>,
-    /// For each vertex, the unit vector in the plane that is normal to the opposite edge and points to the vertex.
-    pub inward: [UnitVec3<S>; 3],
-    /// For each vertex, its distance from the opposite edge.
-    pub heights: [S; 3],
     /// Unit normals at the vertices, interpolated for a surface that is shaded as if it were curved (Phong 1975).
     pub normals: Option<[UnitVec3<S>; 3]>,
     /// Reflectance of the surface.
@@ -32,64 +29,62 @@ pub struct Triangle<S: Scalar> {
     pub material: Material<S>,
 }
 
+/// A hit of a triangle.
+struct Meeting<S: Scalar> {
+    distance: S,
+    /// The place relative to the first vertex.
+    place: Vec3<S>,
+    /// For each vertex, the area between the ray and the opposite edge as seen along an axis, of one sign.
+    areas: [S::Wide; 3],
+}
+
 impl<S: Scalar> Triangle<S> {
-    /// Returns the distance of the hit and its place relative to the corner, if there is one below `t_max`.
+    /// Returns the hit, if there is one below `t_max`.
     #[inline]
-    fn meet(&self, ray: &Ray<S>, t_max: S) -> Option<(S, Vec3<S>)> {
-        let displacement = self.corner - ray.origin;
+    fn meet(&self, ray: &Ray<S>, t_max: S) -> Option<Meeting<S>> {
+        let direction = ray.direction;
+        let [corner, second, third] = self.vertices.map(|vertex| vertex - ray.origin);
         // A ray that leads away from the plane, as most do that begin on it.
-        let (height, cosine) = (displacement.dot(self.normal), self.normal.dot(ray.direction));
-        let is_ahead = if cosine > S::Unit::ZERO { height > S::ZERO } else { height < S::ZERO };
+        let (height, cosine) = (corner.dot(self.normal), self.normal.dot(direction));
+        let is_upwards = cosine > S::Unit::ZERO;
+        let is_ahead = if is_upwards { height > S::ZERO } else { cosine < S::Unit::ZERO && height < S::ZERO };
         if !is_ahead {
             return None;
         }
-        let b = displacement.dot(ray.direction);
+        let b = corner.dot(direction);
         if b + self.extent <= S::ZERO || b - self.extent >= t_max {
             return None;
         }
-        // The slack covers the rounding of this test and of the neighbours', so that shared edges have no gaps.
-        let reach = self.extent.padded(b);
-        let slack = self.extent - reach;
-        let foot = displacement.reject(ray.direction, b);
-        if foot.norm_squared() > reach.square() {
+        let foot = corner.reject(direction, b);
+        if foot.norm_squared() > self.extent.padded(b).square() {
             return None;
         }
+        let along = [b, second.dot(direction), third.dot(direction)];
+        let areas = areas::<S>(
+            direction,
+            [foot, second.reject(direction, along[1]), third.reject(direction, along[2])],
+        )?;
         // `way` leads from the foot point of the corner along the ray to the plane.
-        let height = foot.dot(self.normal);
-        let (rise, is_ahead) = (if height < S::ZERO { -height } else { height }, height > S::ZERO);
-        let way = if cosine > S::Unit::ZERO {
-            let way = rise.over(cosine);
-            if is_ahead { way } else { -way }
-        } else if cosine < S::Unit::ZERO {
-            let way = rise.over(-cosine);
-            if is_ahead { -way } else { way }
-        } else {
-            return None;
-        };
-        if way > reach || way < -reach {
-            return None;
-        }
-        let t = b + way;
-        if !(t > S::ZERO && t < t_max) {
-            return None;
-        }
-        let place = (-foot).along(ray.direction, way);
-        let [first, second, third] = self.inward;
-        let inside = self.heights[0] + place.dot(first) >= slack
-            && place.dot(second) >= slack
-            && place.dot(third) >= slack;
-        inside.then_some((t, place))
+        let rise = foot.dot(self.normal);
+        let size = if rise < S::ZERO { -rise } else { rise };
+        let way = size.over(if is_upwards { cosine } else { -cosine });
+        let way = if (rise > S::ZERO) == is_upwards { way } else { -way };
+        // No hit is beyond the vertices' own feet, even if the triangle is seen on edge.
+        let (least, most) = along.iter().fold((b, b), |(least, most), &along| {
+            (if along < least { along } else { least }, if along > most { along } else { most })
+        });
+        let way = if way < least - b { least - b } else { way };
+        let way = if way > most - b { most - b } else { way };
+        let distance = b + way;
+        let is_met = distance > S::ZERO && distance < t_max;
+        is_met.then(|| Meeting { distance, place: (-foot).along(direction, way), areas })
     }
 
     /// Returns the vertices' normals, interpolated by barycentric coordinates; `None` where they cancel out.
-    fn curved(&self, place: Vec3<S>, [first, second, third]: [UnitVec3<S>; 3]) -> Option<UnitVec3<S>> {
-        let part = |away: S, height: S| {
-            let away = if away < S::ZERO { S::ZERO } else { away };
-            if away < height { away.fraction(height.inverse()) } else { S::Unit::ONE }
-        };
-        let [_, over_second, over_third] = self.heights;
-        let (b, c) =
-            (part(place.dot(self.inward[1]), over_second), part(place.dot(self.inward[2]), over_third));
+    fn curved(areas: [S::Wide; 3], normals: [UnitVec3<S>; 3]) -> Option<UnitVec3<S>> {
+        let ([first, second, third], [a, b, c]) = (normals, areas);
+        let whole = a + b + c;
+        let (b, c) = (S::part(b, whole), S::part(c, whole));
         let a = S::Unit::ONE - b - c;
         let half = S::Unit::ratio(1, 2);
         let mixed = first.scale(a.times(half)).plus(second, b.times(half)).plus(third, c.times(half));
@@ -97,38 +92,61 @@ impl<S: Scalar> Triangle<S> {
     }
 }
 
+/// Returns for each of three feet on a ray twice the signed area of the triangle of the ray and the others, as seen along the
+/// axis that is nearest to the ray's direction; `None` where the ray does not pass between the feet: where two areas differ in
+/// sign, or all are 0. In floating point an area may be rounded to 0, but never to the other sign.
+#[inline]
+fn areas<S: Scalar>(direction: UnitVec3<S>, feet: [Vec3<S>; 3]) -> Option<[S::Wide; 3]> {
+    let size = |c: S::Unit| if c < S::Unit::ZERO { -c } else { c };
+    let (x, y, z) = (size(direction.x()), size(direction.y()), size(direction.z()));
+    let is_x = x >= y && x >= z;
+    let is_z = !is_x && z >= y;
+    let [(a, b), (c, d), (e, f)] =
+        feet.map(|foot| (if is_x { foot.y() } else { foot.x() }, if is_z { foot.y() } else { foot.z() }));
+    let areas = [c.product(f) - e.product(d), e.product(b) - a.product(f), a.product(d) - c.product(b)];
+    let zero = S::ZERO.square();
+    let (mut is_left, mut is_right) = (false, false);
+    for area in areas {
+        is_left |= area > zero;
+        is_right |= area < zero;
+    }
+    (is_left != is_right).then_some(areas)
+}
+
 impl<S: Scalar> Primitive<S> for Triangle<S> {
     #[inline]
     fn intersect(&self, ray: &Ray<S>, t_max: S) -> Option<S> {
-        self.meet(ray, t_max).map(|(t, _)| t)
+        self.meet(ray, t_max).map(|meeting| meeting.distance)
     }
 
     fn point<N: Needs>(&self, ray: &Ray<S>, t: S) -> SurfacePoint<S> {
-        let Some((distance, place)) = self.meet(ray, S::FAR) else {
+        let Some(Meeting { distance, place, areas }) = self.meet(ray, S::FAR) else {
             return SurfacePoint {
                 distance: t,
                 point: ray.origin.along(ray.direction, t),
                 normal: self.normal,
+                face: None,
             };
         };
         // Project the place back into the plane, which rounding has left.
         let place = place.reject(self.normal, place.dot(self.normal));
-        let mut normal = self.normal;
+        let (mut normal, mut face) = (self.normal, None);
         if N::NORMALS
             && let Some(normals) = self.normals
-            && let Some(curved) = self.curved(place, normals)
+            && let Some(curved) = Self::curved(areas, normals)
             // Use the flat normal where the interpolated one is on the other side of the ray.
             && (curved.dot(ray.direction) > S::Unit::ZERO) == (normal.dot(ray.direction) > S::Unit::ZERO)
         {
-            normal = curved;
+            (normal, face) = (curved, Some(normal));
         }
-        SurfacePoint { distance, point: self.corner + place, normal }
+        let [corner, ..] = self.vertices;
+        SurfacePoint { distance, point: corner + place, normal, face }
     }
 
     #[inline]
     fn look(&self) -> Look<'_, S> {
-        let Self { corner, extent, color, ref material, .. } = *self;
-        Look { color, material, extent, center: corner, radius: extent, least: extent }
+        let Self { vertices: [center, ..], extent, color, ref material, .. } = *self;
+        Look { color, material, extent, center, radius: extent, least: extent }
     }
 
     fn note_needs(&self, used: &mut Used) {

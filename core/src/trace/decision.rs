@@ -49,8 +49,10 @@ pub fn direct<S: Scalar, M: Illumination<S>, N: Needs>(
     surface: &Surface<S>,
     incident: &Incident<S>,
 ) -> Rgb<S::Light> {
-    let is_behind = incident.cosine <= S::Unit::ZERO;
-    if is_behind && !M::BOTH_SIDES { Rgb::BLACK } else { model.direct::<N>(surface, incident) }
+    if !M::BOTH_SIDES && surface.is_behind::<N>(incident) {
+        return Rgb::BLACK;
+    }
+    model.direct::<N>(surface, incident)
 }
 
 /// Returns whether a shadow ray is traced to a lamp of which the surface would send back `light`: not where that is black.

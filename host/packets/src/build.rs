@@ -6,13 +6,13 @@ mod light_buffer;
 mod window;
 
 use rta_core::scene::Object;
-use rta_core::vector::{UnitVec3, Vector};
+use rta_core::vector::Vector;
 use rta_scenes::accelerator::bounds::Bounds;
 use rta_scenes::accelerator::sah::{Costs, Tree, tree};
 use rta_scenes::accelerator::solid::{Solid, solids};
 use rta_scenes::description::Description;
 use rta_scenes::narrow::{Narrow, triangle};
-use rta_scenes::space::{difference, length};
+use rta_scenes::space::{cross, difference, dot, length, unit};
 
 use crate::leaf::{Boxes, Child, Column4, Cone4, LARGEST, MAX_DEPTH, Sphere4, Triangle4};
 use crate::number::ToF32;
@@ -130,12 +130,18 @@ fn bounding_cylinder(scene: &Description, item: Object) -> Option<([f64; 3], f64
 /// Returns the planes of a triangle in the picture's number format: corner, normal and three across the edges; and its heights.
 fn triangle_planes<S: Narrow + ToF32>(scene: &Description, item: Object) -> Option<([[f32; 3]; 5], f32)> {
     let Object::Triangle(i) = item else { return None };
-    let triangle = triangle::narrow::<S>(0, scene.triangles.get(i as usize)?).ok()?;
-    let corner = [triangle.corner.x().to_f32(), triangle.corner.y().to_f32(), triangle.corner.z().to_f32()];
-    let way = |v: UnitVec3<S>| [v.x(), v.y(), v.z()].map(S::unit_to_f32);
-    let [first, second, third] = triangle.inward.map(way);
-    let [height, ..] = triangle.heights;
-    Some(([corner, way(triangle.normal), first, second, third], height.to_f32()))
+    let exact = scene.triangles.get(i as usize)?;
+    let triangle = triangle::narrow::<S>(0, exact).ok()?;
+    let [corner, ..] = triangle.vertices;
+    let corner = [corner.x(), corner.y(), corner.z()].map(S::to_f32);
+    let normal = [triangle.normal.x(), triangle.normal.y(), triangle.normal.z()].map(S::unit_to_f32);
+    // In the plane, to the left of an edge that goes counterclockwise.
+    let [a, b, c] = exact.vertices;
+    let area = cross(difference(b, a), difference(c, a));
+    let inward = [(b, c), (c, a), (a, b)].map(|(from, to)| unit(cross(area, difference(to, from))));
+    let [first, second, third] = inward.map(|way| way.unwrap_or_default());
+    let height = dot(difference(a, b), first);
+    Some(([corner, normal, first.map(single), second.map(single), third.map(single)], single(height)))
 }
 
 fn middle(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {

@@ -144,7 +144,7 @@ pub(crate) struct Triangle4 {
     pub(crate) corner: [Vec4; 3],
     /// x, y and z of their normals.
     pub(crate) normal: [Vec4; 3],
-    /// x, y and z of what of [`Triangle`](rta_core::shape::Triangle) has this name.
+    /// For each vertex, x, y and z of the unit vector in the plane that is normal to the opposite edge and points to the vertex.
     pub(crate) inward: [[Vec4; 3]; 3],
     /// How far their corners are from the opposite edges.
     pub(crate) height: Vec4,

@@ -4,7 +4,7 @@ mod shadow;
 
 use core::ops::ControlFlow;
 
-use rta_core::accelerator::{self, Accelerator, Lists, WrongNode, transmitted};
+use rta_core::accelerator::{self, Accelerator, Closest, Lists, WrongNode, transmitted};
 use rta_core::needs::Needs;
 use rta_core::ray::Ray;
 use rta_core::scalar::Unit;
@@ -25,32 +25,6 @@ pub(crate) const MOST_FILTERS: usize = 32;
 
 /// The transparent objects on the way of a shadow ray.
 pub(crate) type Filters<S> = accelerator::Filters<S, MOST_FILTERS>;
-
-/// The nearest hit so far, of objects that come in any order.
-#[derive(Clone, Copy)]
-struct Best<S> {
-    hit: Option<Hit<S>>,
-    /// What is as near as that hit is looked at too.
-    limit: S,
-}
-
-impl<S: ToF32> Best<S> {
-    /// A ray that meets the floor at a distance, if it does.
-    fn new(floor: Option<S>) -> Self {
-        let hit = floor.map(|distance| Hit { distance, object: Object::Floor });
-        Self { hit, limit: floor.unwrap_or(S::FAR).next_up() }
-    }
-
-    /// Takes a hit below the limit that is nearer, or comes before it in order: its distance.
-    #[inline(always)]
-    fn offer(&mut self, found: Hit<S>) -> Option<S> {
-        if self.hit.is_some_and(|hit| found.distance >= hit.distance && found.object >= hit.object) {
-            return None;
-        }
-        *self = Self { hit: Some(found), limit: found.distance.next_up() };
-        Some(found.distance)
-    }
-}
 
 impl<S: ToF32> Accelerator<S> for &Packets {
     type Memory = ShadowCache;
@@ -82,31 +56,32 @@ impl<S: ToF32> Accelerator<S> for &Packets {
         if self.is_too_large {
             return closest_of_lists::<S, N>(world, ray);
         }
-        let floor = world.floor::<N>(ray);
-        let mut best = Best::new(floor);
-        let mut query = Query::new(self, ray, floor.unwrap_or(S::FAR));
+        let mut closest = Closest::new();
+        if let Some(distance) = world.floor::<N>(ray) {
+            closest.offer::<N>(Hit { distance, object: Object::Floor });
+        }
+        let mut query = Query::new(self, ray, closest.limit());
         if N::CYLINDERS {
             for columns in &self.columns {
                 for k in query.meet_columns(columns) {
                     let Some(&i) = columns.cylinders.get(k) else { continue };
-                    let found = cylinder::<S, N>(world, i, ray, best.limit);
-                    let hit = found.map(|(distance, _)| Hit { distance, object: Object::Cylinder(i) });
-                    if let Some(distance) = hit.and_then(|hit| best.offer(hit)) {
-                        query.shorten(distance);
+                    if let Some((distance, _)) = cylinder::<S, N>(world, i, ray, closest.limit()) {
+                        closest.offer::<N>(Hit { distance, object: Object::Cylinder(i) });
+                        query.shorten(closest.limit());
                     }
                 }
             }
         }
         if self.nodes.is_empty() {
-            closest_of::<S, N>(world, &self.leaves, ray, &mut query, &mut best);
-        } else if !closest_seen::<S, N>(self, world, ray, &mut query, &mut best) {
+            closest_of::<S, N>(world, &self.leaves, ray, &mut query, &mut closest);
+        } else if !closest_seen::<S, N>(self, world, ray, &mut query, &mut closest) {
             let mut stack = TraversalStack::new();
             let mut traversal = Traversal::of_all(query, &mut stack);
             while let Some(leaves) = traversal.leaf() {
-                closest_of::<S, N>(world, leaves, ray, &mut traversal.query, &mut best);
+                closest_of::<S, N>(world, leaves, ray, &mut traversal.query, &mut closest);
             }
         }
-        best.hit
+        closest.seen::<N>(&world.scene, ray)
     }
 
     #[inline]
@@ -202,7 +177,7 @@ fn closest_seen<S: ToF32, N: Needs>(
     world: &World<'_, S>,
     ray: &Ray<S>,
     query: &mut Query,
-    best: &mut Best<S>,
+    closest: &mut Closest<S>,
 ) -> bool {
     let Some(seen) = packets.light_buffers.eye_sees(&query.ray) else { return false };
     for &candidate in seen.entries {
@@ -211,7 +186,7 @@ fn closest_seen<S: ToF32, N: Needs>(
         }
         // The rest is none of the leaves.
         let Some(leaf) = packets.leaves.get(index(candidate.leaf())) else { return false };
-        closest_of::<S, N>(world, core::slice::from_ref(leaf), ray, query, best);
+        closest_of::<S, N>(world, core::slice::from_ref(leaf), ray, query, closest);
     }
     true
 }
@@ -223,14 +198,14 @@ fn closest_of<S: ToF32, N: Needs>(
     leaves: &[Sphere4],
     ray: &Ray<S>,
     query: &mut Query,
-    best: &mut Best<S>,
+    closest: &mut Closest<S>,
 ) {
     for leaf in leaves {
         let mask = query.meet::<S>(leaf);
         for k in mask.items() {
-            let found = meet::<S, N>(world, query, (leaf, &mask, k), ray, best.limit);
-            if let Some(distance) = found.and_then(|found| best.offer(found)) {
-                query.shorten(distance);
+            if let Some(hit) = meet::<S, N>(world, query, (leaf, &mask, k), ray, closest.limit()) {
+                closest.offer::<N>(hit);
+                query.shorten(closest.limit());
             }
         }
     }

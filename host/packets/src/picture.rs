@@ -84,6 +84,10 @@ pub trait Picture<S: Narrow>: Send + Sync {
     /// top to bottom.
     fn rows(&self, first: u32, end: u32, put: PutRow<S>);
 
+    /// Calls `put` with the light of the rows from `first` to before `end` of a preview: the picture on the raster `raster`
+    /// instead of its own, with one sample in the middle of each pixel.
+    fn preview_rows(&self, raster: Raster, first: u32, end: u32, put: PutRow<S>);
+
     /// Returns the light of one sample on the image plane, `right` and `up` from -1/2 to 1/2; `observer` is told of every ray.
     /// `cache` is kept from sample to sample.
     fn sample(
@@ -102,17 +106,33 @@ pub trait Picture<S: Narrow>: Send + Sync {
 
     /// Traces the pixels of the rows from `first` to before `end`; `observer` is told of every ray.
     fn observed_rows(&self, first: u32, end: u32, observer: &mut dyn Observer<S>) {
-        let Setup { raster, sampling, .. } = *self.setup();
+        let raster = self.setup().raster;
         let mut cache = ShadowCache::default();
         for y in first..end.min(raster.height()) {
-            let row = Places::row::<S::Unit>(&sampling, raster, y);
             for x in 0..raster.width() {
-                for sample in 0..sampling.samples() {
-                    let (right, up) = sampling.place(raster, row, x, sample);
-                    self.sample(right, up, &mut cache, observer);
-                }
+                observed(self, (x, y), &mut cache, observer);
             }
         }
+    }
+
+    /// Traces the samples of the pixel in column `x` of row `y`; `observer` is told of every ray.
+    fn observed_pixel(&self, x: u32, y: u32, observer: &mut dyn Observer<S>) {
+        observed(self, (x, y), &mut ShadowCache::default(), observer);
+    }
+}
+
+/// Traces the samples of one pixel; `observer` is told of every ray.
+fn observed<S: Narrow>(
+    picture: &(impl Picture<S> + ?Sized),
+    (x, y): (u32, u32),
+    cache: &mut ShadowCache,
+    observer: &mut dyn Observer<S>,
+) {
+    let Setup { raster, sampling, .. } = *picture.setup();
+    let row = Places::row::<S::Unit>(&sampling, raster, y);
+    for sample in 0..sampling.samples() {
+        let (right, up) = sampling.place(raster, row, x, sample);
+        picture.sample(right, up, cache, observer);
     }
 }
 
@@ -187,27 +207,35 @@ impl<S: Format, M: Illumination<S> + Copy> Modelled<S, M> {
         let tracer = Tracer::new(admitted, self.model, setup.depth);
         tracer.ok().map(|tracer: Traced<'_, S, M>| tracer.with_cutoff(cutoff))
     }
-}
 
-impl<S: Format, M: Illumination<S> + Copy> Picture<S> for Modelled<S, M> {
-    fn rows(&self, first: u32, end: u32, put: PutRow<S>) {
+    /// Calls `put` with each of the rows `range` of the picture on `raster`, with samples at `places`.
+    fn traced(&self, raster: Raster, places: impl Places, range: (u32, u32), put: PutRow<S>) {
         // There is a tracer: the depth was checked when the picture was made ready.
         let Some(tracer) = self.tracer() else { return };
-        let Ready { scene, setup: Setup { raster, sampling, .. }, .. } = &self.ready;
         let width = raster.width() as usize;
         let mut row = Vec::with_capacity(width);
-        let collect = |light| {
+        S::trace_rows(&tracer, &self.ready.scene.camera, (raster, places), range, |light| {
             row.push(light);
             if row.len() == width {
                 put(&row);
                 row.clear();
             }
-        };
-        if *sampling == Sampling::CENTER {
-            S::trace_rows(&tracer, &scene.camera, (*raster, Center), (first, end), collect);
+        });
+    }
+}
+
+impl<S: Format, M: Illumination<S> + Copy> Picture<S> for Modelled<S, M> {
+    fn rows(&self, first: u32, end: u32, put: PutRow<S>) {
+        let Setup { raster, sampling, .. } = self.ready.setup;
+        if sampling == Sampling::CENTER {
+            self.traced(raster, Center, (first, end), put);
         } else {
-            S::trace_rows(&tracer, &scene.camera, (*raster, *sampling), (first, end), collect);
+            self.traced(raster, sampling, (first, end), put);
         }
+    }
+
+    fn preview_rows(&self, raster: Raster, first: u32, end: u32, put: PutRow<S>) {
+        self.traced(raster, Center, (first, end), put);
     }
 
     fn sample(

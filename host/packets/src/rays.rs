@@ -73,8 +73,8 @@ impl Rays {
     ///
     /// In `f32` those are left out that it leads away from, by the first test of [`Triangle`](rta_core::shape::Triangle) and its arithmetic;
     /// but for a ray from too far away, whose numbers are not its own. Then those are left out whose plane it meets beyond an
-    /// edge, by the part `cosine` of how far. A triangle's own test lets by as much as 168 EPSILON of `far`, or 4 LSB and 2^-25
-    /// of its distance, and these sums err by less than 60 EPSILON of `far`: four margins are more.
+    /// edge, by the part `cosine` of how far. A triangle's own test moves an edge by no more than a foot point errs, one margin at
+    /// most, and these sums err by less than 60 EPSILON of `far`: four margins are more.
     #[inline(always)]
     pub(crate) fn meet_triangles<S: ToF32>(&self, triangles: &Triangle4, mask: u32) -> u32 {
         let ([ox, oy, oz], [dx, dy, dz]) = (self.origin, self.direction);

@@ -1,4 +1,8 @@
-//! Number formats and illumination models as choices of a command line.
+//! What the values of options may be: number formats and illumination models by their names, and whole numbers.
+
+use core::fmt::Display;
+use core::ops::RangeInclusive;
+use core::str::FromStr;
 
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 
@@ -28,7 +32,18 @@ fn one_of<T: Copy + Send + Sync + 'static>(
     PossibleValuesParser::new(values).try_map(move |text| named(all, name, &text))
 }
 
-/// The choice of that name. The parsers let only names pass.
+/// The choice of that name. The parsers let only names pass, in upper or lower case.
 fn named<T: Copy>(all: &[T], name: fn(T) -> &'static str, text: &str) -> Result<T, &'static str> {
-    all.iter().copied().find(|&one| name(one) == text).ok_or("no such name")
+    all.iter().copied().find(|&one| name(one).eq_ignore_ascii_case(text)).ok_or("no such name")
+}
+
+/// A parser of a whole number within `range`.
+pub(super) fn whole<T>(range: RangeInclusive<T>) -> impl TypedValueParser<Value = T>
+where
+    T: Copy + Display + FromStr + PartialOrd + Send + Sync + 'static,
+{
+    move |text: &str| {
+        let number = text.parse().ok().filter(|number| range.contains(number));
+        number.ok_or_else(|| format!("expected a whole number from {} to {}", range.start(), range.end()))
+    }
 }

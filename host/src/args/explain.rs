@@ -38,19 +38,19 @@ pub struct ExplainArgs {
     /// Scene file (.dat or .nff), or - for standard input
     pub scene: PathBuf,
     /// Column and row from 0,0 in the upper left corner, or worst: the one whose colour is farthest off
-    #[arg(long, value_name = "X,Y")]
+    #[arg(short, long, value_name = "X,Y")]
     pub pixel: Choice,
     /// Number format that is put beside f64
-    #[arg(long, default_value_t = Format::Q16, value_parser = choice::tested_format())]
+    #[arg(short, long, default_value_t = Format::Q16, value_parser = choice::tested_format(), ignore_case = true)]
     pub format: Format,
     /// Illumination model [default: what the scene was made for: rta, or phong for .nff]
-    #[arg(long, value_parser = choice::model())]
+    #[arg(short, long, value_parser = choice::model(), ignore_case = true)]
     pub model: Option<Model>,
     /// Reflections and refractions that a ray is followed through; 0 is what the eye sees directly
-    #[arg(long, default_value_t = 5, value_name = "N", value_parser = clap::value_parser!(u32).range(..=i64::from(MAX_DEPTH)))]
+    #[arg(long, default_value_t = 5, value_name = "N", value_parser = choice::whole(0..=MAX_DEPTH))]
     pub depth: u32,
     /// Pixels of the picture [default: those of a .nff, else 320x200]
-    #[arg(long, value_name = "WxH")]
+    #[arg(short, long, value_name = "WxH")]
     pub size: Option<Size>,
     /// Shape of the screen, as 4:3 or 1.333 [default: square pixels, except that 320x200 is a 4:3 screen]
     #[arg(long, value_name = "RATIO")]

@@ -13,9 +13,9 @@ use crate::picture::file::FileType;
 pub struct ShowArgs {
     /// Scene file (.dat or .nff), or - for standard input; without one, the Juggler
     pub scene: Option<PathBuf>,
-    /// The display to emulate
-    #[arg(long, value_enum, default_value_t = Device::Vga)]
-    pub device: Device,
+    /// The display to emulate, or none for 8 bits a gun without a colour table
+    #[arg(short, long, value_enum, ignore_case = true, default_value_t = Target::On(Device::Vga))]
+    pub device: Target,
     /// How the picture is traced.
     #[command(flatten)]
     pub tracing: TracingArgs,
@@ -23,7 +23,7 @@ pub struct ShowArgs {
 
 impl Default for ShowArgs {
     fn default() -> Self {
-        Self { scene: None, device: Device::Vga, tracing: TracingArgs::default() }
+        Self { scene: None, device: Target::On(Device::Vga), tracing: TracingArgs::default() }
     }
 }
 
@@ -32,18 +32,21 @@ impl Default for ShowArgs {
 pub struct RenderArgs {
     /// Scene file (.dat or .nff), or - for standard input
     pub scene: PathBuf,
-    /// Picture file: .png, .ppm or .pfm; - is standard output
+    /// Picture file; its extension tells the kind (see --as); - is standard output
     ///
-    /// A PNG from a device is indexed, with the device's own colour table. A PFM holds linear light, unclamped,
-    /// and needs --device none.
+    /// A PNG or BMP from a device is indexed, with the device's own colour table. PFM and HDR hold linear light, unclamped, and need
+    /// --device none.
     #[arg(short, long, value_name = "FILE")]
     pub output: PathBuf,
     /// The display to emulate, or none for 8 bits a gun without a colour table
-    #[arg(long, value_enum, default_value_t = Target::On(Device::Vga))]
+    #[arg(short, long, value_enum, ignore_case = true, default_value_t = Target::On(Device::Vga))]
     pub device: Target,
     /// Kind of picture, whatever the name of the file says [default: by the extension; png into pipes]
-    #[arg(long = "as", value_enum, value_name = "TYPE")]
+    #[arg(long = "as", value_enum, ignore_case = true, value_name = "TYPE")]
     pub file_type: Option<FileType>,
+    /// Say nothing but warnings and errors: no progress bar, and no line about the picture at the end
+    #[arg(short, long)]
+    pub quiet: bool,
     /// How the picture is traced.
     #[command(flatten)]
     pub tracing: TracingArgs,
@@ -55,7 +58,7 @@ pub struct HashArgs {
     /// Scene file (.dat or .nff), or - for standard input
     pub scene: PathBuf,
     /// The display
-    #[arg(long, value_enum, default_value_t = Device::Vga)]
+    #[arg(short, long, value_enum, ignore_case = true, default_value_t = Device::Vga)]
     pub device: Device,
     /// How the picture is traced.
     #[command(flatten)]

@@ -14,7 +14,7 @@ pub struct CheckArgs {
     /// Scene file (.dat or .nff), or - for standard input
     pub scene: PathBuf,
     /// Number format
-    #[arg(long, value_parser = choice::format(), default_value_t = Format::Q16)]
+    #[arg(short, long, value_parser = choice::format(), ignore_case = true, default_value_t = Format::Q16)]
     pub format: Format,
     /// Shape of the screen
     #[arg(long, value_name = "RATIO", default_value = "4:3")]
@@ -30,10 +30,10 @@ pub struct BakeArgs {
     /// Scene file (.dat or .nff), or - for standard input
     pub scene: PathBuf,
     /// Number format
-    #[arg(long, value_parser = choice::format(), default_value_t = Format::Q16)]
+    #[arg(short, long, value_parser = choice::format(), ignore_case = true, default_value_t = Format::Q16)]
     pub format: Format,
     /// Illumination model that the scene is drawn with, which decides what it needs [default: rta, or phong for .nff]
-    #[arg(long, value_parser = choice::model())]
+    #[arg(short, long, value_parser = choice::model(), ignore_case = true)]
     pub model: Option<Model>,
     /// Shape of the screen that the whole picture fills
     #[arg(long, value_name = "RATIO", default_value = "4:3")]

@@ -16,16 +16,16 @@ pub struct BenchArgs {
     #[arg(conflicts_with_all = ["record", "check"])]
     pub scenes: Vec<PathBuf>,
     /// Number format
-    #[arg(long, value_parser = choice::format(), default_value_t = Format::F32, conflicts_with_all = ["record", "check"])]
+    #[arg(short, long, value_parser = choice::format(), ignore_case = true, default_value_t = Format::F32, conflicts_with_all = ["record", "check"])]
     pub format: Format,
     /// Pixels of the pictures [default: those of a .nff, else 320x200; of random spheres 512x512]
-    #[arg(long, value_name = "WxH")]
+    #[arg(short, long, value_name = "WxH")]
     pub size: Option<Size>,
     /// Reflections and refractions that a ray is followed through
-    #[arg(long, default_value_t = 5, value_name = "N", value_parser = clap::value_parser!(u32).range(..=i64::from(MAX_DEPTH)))]
+    #[arg(long, default_value_t = 5, value_name = "N", value_parser = choice::whole(0..=MAX_DEPTH))]
     pub depth: u32,
     /// Times that each picture is traced; the quickest counts
-    #[arg(long, default_value_t = 5, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=10_000), conflicts_with_all = ["record", "check"])]
+    #[arg(long, default_value_t = 5, value_name = "N", value_parser = choice::whole(1_u32..=10_000), conflicts_with_all = ["record", "check"])]
     pub runs: u32,
     /// Do not count instructions
     #[arg(long, conflicts_with_all = ["record", "check"])]
@@ -34,7 +34,7 @@ pub struct BenchArgs {
     #[arg(long, conflicts_with_all = ["record", "check"])]
     pub scaling: bool,
     /// Another ray tracer that renders the same scenes in turn with rta
-    #[arg(long, value_enum, value_name = "PROGRAM", conflicts_with_all = ["record", "check"])]
+    #[arg(long, value_enum, ignore_case = true, value_name = "PROGRAM", conflicts_with_all = ["record", "check"])]
     pub peer: Option<Peer>,
     /// Write the instructions of small pictures into a CSV file
     #[arg(long, value_name = "FILE", conflicts_with = "check")]
@@ -60,7 +60,7 @@ pub struct TracedArgs {
     /// Names of scenes in the program, or - for a scene file on standard input.
     pub scenes: Vec<String>,
     /// Number formats, each with every scene.
-    #[arg(long, value_parser = choice::format(), value_delimiter = ',')]
+    #[arg(long, value_parser = choice::format(), ignore_case = true, value_delimiter = ',')]
     pub format: Vec<Format>,
     /// Pixels.
     #[arg(long)]
@@ -104,7 +104,7 @@ pub struct InstructionsArgs {
 #[derive(Args, Debug)]
 pub struct StabilityArgs {
     /// Rays from the eye, for each case and format
-    #[arg(long, default_value_t = 200_000, value_name = "N")]
+    #[arg(long, default_value_t = 200_000, value_name = "N", value_parser = choice::whole(1_usize..=100_000_000))]
     pub rays: usize,
     /// Markdown file that gets the table too, in the place that is marked in it for that
     #[arg(short, long, value_name = "FILE")]

@@ -12,13 +12,13 @@ use crate::request::sampling::Samples;
 #[derive(Args, Clone, Debug)]
 pub struct TracingArgs {
     /// Number format of the tracer
-    #[arg(long, value_parser = choice::format(), default_value_t = Format::F32)]
+    #[arg(short, long, value_parser = choice::format(), ignore_case = true, default_value_t = Format::F32)]
     pub format: Format,
     /// Illumination model [default: what the scene was made for: rta, or phong for .nff]
-    #[arg(long, value_parser = choice::model())]
+    #[arg(short, long, value_parser = choice::model(), ignore_case = true)]
     pub model: Option<Model>,
     /// Reflections and refractions that a ray is followed through; 0 is what the eye sees directly
-    #[arg(long, default_value_t = 5, value_name = "N", value_parser = clap::value_parser!(u32).range(..=i64::from(MAX_DEPTH)))]
+    #[arg(long, default_value_t = 5, value_name = "N", value_parser = choice::whole(0..=MAX_DEPTH))]
     pub depth: u32,
     /// A ray that would bring less than this part of its light into the pixel is not traced: 1/64, or 0 for all
     #[arg(long, value_name = "PART", default_value_t = Cutoff::OFF)]
@@ -27,16 +27,16 @@ pub struct TracingArgs {
     #[arg(long, value_name = "N", default_value_t = Samples::ONE)]
     pub samples: Samples,
     /// Jitter the samples, each in its own cell of the grid, by this seed
-    #[arg(long, value_name = "SEED")]
+    #[arg(long, value_name = "SEED", value_parser = choice::whole(0..=u32::MAX))]
     pub jitter: Option<u32>,
-    /// Colour table of the device
-    #[arg(long, value_enum, default_value_t = TableKind::Tolerant)]
-    pub table: TableKind,
+    /// Colour table of the device [default: tolerant]
+    #[arg(short, long, value_enum, ignore_case = true)]
+    pub table: Option<TableKind>,
     /// Pixels of the picture [default: the device's; with --device none those of a .nff, else 320x200]
     ///
     /// On a device the picture is a window in its raster, so it may not be larger, and its pixels keep their
     /// shape. Up to 65535 pixels a side; with --device none only a band of rows is held in memory.
-    #[arg(long, value_name = "WxH")]
+    #[arg(short, long, value_name = "WxH")]
     pub size: Option<Size>,
     /// Shape of the screen that the picture fills, as 4:3 or 1.333
     ///
@@ -48,7 +48,7 @@ pub struct TracingArgs {
     #[arg(long)]
     pub fit: bool,
     /// Threads that trace [default: one for each core]
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    #[arg(long, value_name = "N", value_parser = choice::whole(1_u16..=1024))]
     pub threads: Option<u16>,
 }
 
@@ -62,7 +62,7 @@ impl Default for TracingArgs {
             cutoff: Cutoff::OFF,
             samples: Samples::ONE,
             jitter: None,
-            table: TableKind::Tolerant,
+            table: None,
             size: None,
             aspect: None,
             fit: false,

@@ -3,6 +3,7 @@
 use rta_scenes::bake::{self, BakeError, Recipe};
 
 use crate::args::BakeArgs;
+use crate::engine::interrupt;
 use crate::error::Error;
 use crate::picture::output;
 use crate::request::fit::Fit;
@@ -25,5 +26,7 @@ pub fn run(args: &BakeArgs) -> Result<(), Error> {
         Err(BakeError::Range(error)) => return Err(fit.refused(&scene, error.into()).into()),
         Err(error) => return Err(error.into()),
     };
-    Ok(output::write_text(&args.output, &source)?)
+    // From here on a signal waits for the file, which is soon complete.
+    interrupt::watch();
+    Ok(output::write_text(&args.output, &source, &scene.inputs)?)
 }

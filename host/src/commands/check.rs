@@ -22,10 +22,11 @@ pub fn run(args: &CheckArgs) -> Result<(), Error> {
     let fit = Fit { format: args.format, aspect, model: None, depth: 0, asked: args.fit };
     let description = fit.scaled(&scene);
     let Verdict { rows, refused } = verdict(&description, args.format, aspect);
-    print(&table(&scene.title, args.format, &rows))?;
+    print(&table(&scene.title, args.format, &rows), &scene.inputs)?;
     let Some(reason) = refused else {
         fit.advise(&scene);
-        return Ok(print(&format!("{} is admitted to {}\n", scene.title, args.format))?);
+        let line = format!("{} is admitted to {}\n", scene.title, args.format);
+        return Ok(print(&line, &scene.inputs)?);
     };
     Err(fit.refused(&scene, reason).into())
 }

@@ -94,7 +94,7 @@ pub fn run(args: &ExplainArgs) -> Result<(), Error> {
     let explanation = explanation.ok_or(Error::PixelOutside { x, y, size })?;
     let title = format!("{}, pixel {x},{y} of {size}, model {model}, depth {depth}\n\n", scene.title);
     let text = format!("{title}{explanation}");
-    Ok(output::print(&text)?)
+    Ok(output::print(&text, &scene.inputs)?)
 }
 
 fn inside(size: Size, x: u32, y: u32) -> Result<(), Error> {
@@ -117,10 +117,19 @@ impl Display for Explanation {
     }
 }
 
+/// Writes a number with so many decimals, or a large one with an exponent, so that columns stay columns.
+fn fixed(number: f64, decimals: usize) -> String {
+    if number.abs() < 1e6 || !number.is_finite() {
+        format!("{number:.decimals$}")
+    } else {
+        format!("{number:.3e}")
+    }
+}
+
 fn colors(f: &mut fmt::Formatter<'_>, format: Format, pixel: &Pixel, truth: &Pixel) -> fmt::Result {
     writeln!(f, "{:14}{:>12}{:>12}{:>12}", "", "red", "green", "blue")?;
     let line = |f: &mut fmt::Formatter<'_>, name: &str, [r, g, b]: [f64; 3]| {
-        writeln!(f, "{name:14}{r:12.6}{g:12.6}{b:12.6}")
+        writeln!(f, "{name:14}{:>12}{:>12}{:>12}", fixed(r, 6), fixed(g, 6), fixed(b, 6))
     };
     line(f, &format.to_string(), pixel.light)?;
     line(f, "f64", truth.light)?;
@@ -176,7 +185,7 @@ fn meeting(step: &Step) -> String {
     };
     if let Some(distance) = step.distance {
         // Writing to a string does not fail.
-        let _ = write!(text, " at {distance:.5}");
+        let _ = write!(text, " at {}", fixed(distance, 5));
     }
     if step.inside {
         text.push_str(" inside");
@@ -210,7 +219,7 @@ fn flips(f: &mut fmt::Formatter<'_>, format: Format, log: &Log, parting: Option<
     let Flip { question, place, ray, left, right } = first;
     writeln!(f, "flipped decision in ray {ray}: {question} at {}:{}", place.file(), place.line())?;
     for (name, left, right) in [(format.to_string(), left[0], right[0]), ("f64".into(), left[1], right[1])] {
-        writeln!(f, "  {name:5}{left:20.12} {question} {right:.12}")?;
+        writeln!(f, "  {name:5}{:>20} {question} {}", fixed(left, 12), fixed(right, 12))?;
     }
     writeln!(f)
 }
@@ -231,10 +240,12 @@ fn operations(f: &mut fmt::Formatter<'_>, format: Format, log: &Log) -> fmt::Res
         let [result, twin] = o.result;
         writeln!(
             f,
-            "{:8.1}{:8.1}{:11.1}  {result:18.9}{twin:18.9}  {:16}{:3}  {}:{}",
+            "{:8.1}{:8.1}{:>11}  {:>18}{:>18}  {:16}{:3}  {}:{}",
             o.growth(),
             o.bits_lost(),
-            o.error,
+            fixed(o.error, 1),
+            fixed(result, 9),
+            fixed(twin, 9),
             o.name,
             o.ray,
             o.place.file(),

@@ -1,7 +1,5 @@
 //! `rta hash`: the hash of a picture, by which a port of the tracer shows that it draws the right bytes.
 
-use std::path::Path;
-
 use crate::args::HashArgs;
 use crate::commands::render::Work;
 use crate::engine::interrupt;
@@ -24,5 +22,5 @@ pub fn run(args: &HashArgs) -> Result<(), Error> {
         Work::new(&request, &scene, args.tracing.threads, interrupt::watch())?.checksum(args.device)?;
     let caption = request.caption(&scene);
     let line = format!("{hash:016x}  {}, {size}, {}\n", caption.title, caption.settings);
-    Ok(output::write_text(Path::new("-"), &line)?)
+    Ok(output::print(&line, &scene.inputs)?)
 }

@@ -2,6 +2,7 @@
 
 use core::sync::atomic::AtomicBool;
 use std::io::{self, Write};
+use std::time::Instant;
 
 use rayon::ThreadPool;
 use rta_core::color::Rgb;
@@ -15,12 +16,14 @@ use crate::engine::interrupt;
 use crate::engine::progress::Progress;
 use crate::error::Error;
 use crate::picture::device::{Device, Target};
-use crate::picture::error::PictureError;
+use crate::picture::error::{PictureError, name};
+#[cfg(feature = "image")]
+use crate::picture::file::other::write_hdr;
 use crate::picture::file::{
     Caption, Displayed, FileType, Pixels, bytes, flip, write_light, write_pfm_header, write_png_rows,
     write_ppm_header,
 };
-use crate::picture::output::{Failure, Output};
+use crate::picture::output::{Failure, PictureOutput};
 use crate::picture::raster::Size;
 use crate::picture::screen::{Screen, Table};
 use crate::request::Request;
@@ -32,18 +35,29 @@ use crate::request::scene_file::SceneFile;
 /// # Errors
 /// All of [`Error`].
 pub fn run(args: &RenderArgs) -> Result<(), Error> {
+    let began = Instant::now();
     args.tracing.request(args.device).raster()?;
-    let output = Output::open(&args.output, args.file_type)?;
+    let output = PictureOutput::open(&args.output, args.file_type)?;
     let file_type = output.file_type();
-    if let (FileType::Pfm, Target::On(device)) = (file_type, args.device) {
-        return Err(PictureError::LinearFromDevice(device).into());
+    if let (true, Target::On(device)) = (file_type.is_linear(), args.device) {
+        return Err(PictureError::LinearFromDevice { file_type, device }.into());
     }
     let scene = SceneFile::open(&args.scene)?;
+    let output = output.beside(&scene.inputs)?;
     let request = args.tracing.request_for(args.device, &scene)?;
-    let work = Work::new(&request, &scene, args.tracing.threads, interrupt::watch())?;
-    request.fit(work.aspect).advise(&scene);
+    let work = Work::new(&request, &scene, args.tracing.threads, interrupt::watch())?.quiet(args.quiet);
+    if !args.quiet {
+        request.fit(work.aspect).advise(&scene);
+    }
     let caption = request.caption(&scene);
-    output.fill(|out| work.write(file_type, &caption, out))
+    output.fill(|out| work.write(file_type, &caption, out))?;
+    if !args.quiet {
+        let (picture, size, settings) = (name(&args.output), work.size, &caption.settings);
+        let seconds = began.elapsed().as_secs_f64();
+        // Whoever has closed standard error does not want to know.
+        let _ = writeln!(io::stderr(), "rta: {picture}: {file_type}, {size}, {settings}; {seconds:.2} s");
+    }
+    Ok(())
 }
 
 impl<T> From<T> for Failure<Error>
@@ -63,6 +77,7 @@ pub struct Work<'a> {
     aspect: f64,
     pool: ThreadPool,
     stop: &'a AtomicBool,
+    quiet: bool,
 }
 
 impl<'a> Work<'a> {
@@ -77,10 +92,25 @@ impl<'a> Work<'a> {
         stop: &'a AtomicBool,
     ) -> Result<Self, Error> {
         let (size, aspect) = request.raster()?;
-        Ok(Self { engine: request.engine(scene)?, request, size, aspect, pool: bands::pool(threads)?, stop })
+        Ok(Self {
+            engine: request.engine(scene)?,
+            request,
+            size,
+            aspect,
+            pool: bands::pool(threads)?,
+            stop,
+            quiet: false,
+        })
     }
 
-    /// Traces the picture and writes it. Without a device only some bands of rows are held in memory.
+    /// Returns the work without a progress bar if it is to be `quiet`.
+    #[must_use]
+    pub fn quiet(mut self, quiet: bool) -> Self {
+        self.quiet = quiet;
+        self
+    }
+
+    /// Traces the picture and writes it. Of a PNG, PPM or PFM without a device only some bands of rows are held in memory.
     fn write(
         &self,
         file_type: FileType,
@@ -88,8 +118,6 @@ impl<'a> Work<'a> {
         out: &mut dyn Write,
     ) -> Result<(), Failure<Error>> {
         match (file_type, self.request.target) {
-            (FileType::Png, Target::On(_)) => Ok(self.displayed()?.write_png(caption, out)?),
-            (FileType::Ppm, Target::On(_)) => Ok(self.displayed()?.write_ppm(out)?),
             (FileType::Pfm, _) => {
                 write_pfm_header(self.size, out)?;
                 // From the bottom to the top, as the format has it.
@@ -107,6 +135,16 @@ impl<'a> Work<'a> {
                 write_ppm_header(self.size, out)?;
                 self.direct(|pixels| out.write_all(&bytes(pixels)))
             }
+            (FileType::Png, Target::On(_)) => Ok(self.displayed()?.write_png(caption, out)?),
+            (FileType::Ppm, Target::On(_)) => Ok(self.displayed()?.write_ppm(out)?),
+            #[cfg(feature = "image")]
+            (FileType::Bmp, _) => Ok(self.displayed()?.write_bmp(out)?),
+            #[cfg(feature = "image")]
+            (FileType::Tga, _) => Ok(self.displayed()?.write_tga(out)?),
+            #[cfg(feature = "image")]
+            (FileType::Qoi, _) => Ok(self.displayed()?.write_qoi(out)?),
+            #[cfg(feature = "image")]
+            (FileType::Hdr, _) => Ok(write_hdr(self.size, &self.linear()?, out)?),
         }
     }
 
@@ -182,10 +220,12 @@ impl<'a> Work<'a> {
         trace: impl Fn(u32, &mut [T]) + Sync,
         mut deliver: impl FnMut(u32, Vec<T>) -> Result<(), E>,
     ) -> Result<(), E> {
-        let mut progress = Progress::new(self.size.height());
+        let mut progress = (!self.quiet).then(|| Progress::new(self.size.height()));
         bands::bands(self.size, &self.pool, self.stop, trace, |first, band| {
             deliver(first, band)?;
-            progress.reached(first);
+            if let Some(progress) = &mut progress {
+                progress.reached(first);
+            }
             Ok(())
         })
     }

@@ -1,32 +1,43 @@
 //! `rta show` without its window: the picture that fills in, and what each key does to it.
 
+pub mod desktop;
 pub mod frame;
+pub mod keys;
+pub mod note;
+pub mod overlay;
+pub mod palette;
+pub mod pointer;
+pub mod reload;
+pub mod shown;
+pub mod text;
+pub mod tracing;
 pub mod window;
 
-use core::sync::atomic::{AtomicBool, Ordering};
 use core::time::Duration;
 use std::sync::Arc;
-use std::sync::mpsc::{self, Receiver, TryRecvError};
 use std::time::Instant;
 
 use rayon::ThreadPool;
-use rta_core::color::Rgb;
 
-use crate::engine::MAX_DEPTH;
-use crate::engine::bands::{self, BandsError};
+use crate::engine::bands;
+use crate::engine::{Engine, MAX_DEPTH};
 use crate::error::Error;
-use crate::picture::device::{Device, Target};
+use crate::picture::device::Target;
 use crate::picture::error::PictureError;
-use crate::picture::file::Displayed;
 use crate::picture::output;
-use crate::picture::screen::Screen;
 use crate::request::Request;
 use crate::request::scene_file::SceneFile;
+use frame::Place;
+use note::Note;
+use pointer::Pointer;
+use reload::Watch;
+use shown::Shown;
+use tracing::{Part, Tracing};
 
 /// A change that a key asks for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Command {
-    /// The next device, with its whole raster.
+    /// The next device, with its whole raster, or none.
     Device,
     /// The next illumination model.
     Model,
@@ -38,62 +49,62 @@ pub enum Command {
     Deeper,
     /// One reflection fewer.
     Shallower,
-    /// The picture traced again.
-    Restart,
-    /// A PNG of what the device shows now.
+    /// The scene file read again, and the picture traced again.
+    Reload,
+    /// A PNG of what the device shows once the picture is complete.
     Save,
 }
 
 /// A picture on a screen, and the threads that trace it.
 pub struct Show {
     scene: SceneFile,
+    /// The file of the scene, if it can be read again.
+    watch: Option<Watch>,
     request: Request,
-    device: Device,
-    screen: Screen,
     pool: Arc<ThreadPool>,
-    tracing: Tracing,
-    /// The result of the last key, for the title.
-    note: Option<String>,
+    work: Work,
+    /// Whether the picture is saved once it is complete.
+    is_saving: bool,
+    /// The result of the last key, or of a change of the file.
+    note: Option<Note>,
 }
 
-/// The threads that trace a picture. They stop within a band when this is dropped.
-struct Tracing {
-    bands: Receiver<(u32, Vec<Rgb<u8>>)>,
-    stop: Arc<AtomicBool>,
-    began: Instant,
+/// A picture that is being traced.
+struct Work {
+    engine: Arc<Engine>,
+    shown: Shown,
+    tracing: Tracing,
     /// Time that the picture took, once it is complete.
     took: Option<Duration>,
-    /// Rows that are on the screen.
-    rows: u32,
+    pointer: Pointer,
 }
 
-impl Drop for Tracing {
-    fn drop(&mut self) {
-        self.stop.store(true, Ordering::Relaxed);
+impl Work {
+    /// Switches a screen on and starts to trace.
+    fn begin(scene: &SceneFile, request: &Request, pool: &Arc<ThreadPool>) -> Result<Self, Error> {
+        let (size, _) = request.raster()?;
+        let engine = Arc::new(request.engine(scene)?);
+        let shown = Shown::new(request)?;
+        let gun_max = request.target.device().map_or(u8::MAX, |device| device.capabilities().gun_max);
+        let tracing = Tracing::begin(Arc::clone(&engine), size, gun_max, Arc::clone(pool));
+        Ok(Self { engine, shown, tracing, took: None, pointer: Pointer::default() })
     }
 }
 
 impl Show {
-    /// Begins to trace `scene` for the screen of `device`.
+    /// Begins to trace `scene`, whose file is watched by `watch` if it is one that can be read again.
     ///
     /// # Errors
-    /// Those of [`Request::engine`], [`BandsError::Threads`] and [`PictureError::Display`].
+    /// Those of [`Request::engine`], [`BandsError::Threads`](bands::BandsError::Threads) and [`PictureError::Display`].
     pub fn new(
         scene: SceneFile,
-        device: Device,
+        watch: Option<Watch>,
         request: Request,
         threads: Option<u16>,
     ) -> Result<Self, Error> {
         let pool = Arc::new(bands::pool(threads)?);
-        let request = Request { target: Target::On(device), ..request };
-        let (screen, tracing) = begin(&scene, device, &request, &pool)?;
-        Ok(Self { scene, request, device, screen, pool, tracing, note: None })
-    }
-
-    /// The device whose screen is shown.
-    #[must_use]
-    pub const fn device(&self) -> Device {
-        self.device
+        let work = Work::begin(&scene, &request, &pool)?;
+        Ok(Self { scene, watch, request, pool, work, is_saving: false, note: None })
     }
 
     /// The picture that is asked for now.
@@ -105,7 +116,13 @@ impl Show {
     /// Returns whether all rows are on the screen.
     #[must_use]
     pub const fn is_complete(&self) -> bool {
-        self.tracing.took.is_some()
+        self.work.took.is_some()
+    }
+
+    /// Returns whether the picture is to be saved and is not complete yet.
+    #[must_use]
+    pub const fn is_saving(&self) -> bool {
+        self.is_saving
     }
 
     /// Puts the rows that are ready on the screen, for about as long as `budget`. Returns whether there were any.
@@ -113,121 +130,183 @@ impl Show {
     /// # Errors
     /// [`PictureError::Display`] if the device refuses them.
     pub fn advance(&mut self, budget: Duration) -> Result<bool, Error> {
-        let until = Instant::now() + budget;
+        let begin = Instant::now();
         let mut any = false;
-        while self.tracing.took.is_none() {
-            match self.tracing.bands.try_recv() {
-                Ok((first, levels)) => {
-                    self.screen.put_rows(first, &levels)?;
-                    let (size, _) = self.request.raster()?;
-                    self.tracing.rows = first + (levels.len() / size.columns()).try_into().unwrap_or(0);
-                    if self.tracing.rows == size.height() {
-                        self.tracing.took = Some(self.tracing.began.elapsed());
-                    }
-                    any = true;
+        while let Some(part) = self.work.tracing.next() {
+            if let Part::Complete(took) = part {
+                self.work.took = Some(took);
+                if core::mem::take(&mut self.is_saving) {
+                    self.save();
                 }
-                Err(TryRecvError::Empty | TryRecvError::Disconnected) => break,
             }
-            if Instant::now() >= until {
+            self.work.shown.put(part)?;
+            any = true;
+            if begin.elapsed() >= budget {
                 break;
             }
         }
         Ok(any)
     }
 
-    /// Returns the picture that the device shows now.
+    /// Returns what is to be seen of the picture, read back from the device.
     ///
     /// # Errors
     /// [`PictureError::Display`] if it does not answer.
-    pub fn picture(&mut self) -> Result<Displayed, Error> {
-        Ok(self.screen.picture()?)
+    pub fn shown(&mut self) -> Result<&Shown, Error> {
+        self.work.shown.refresh()?;
+        Ok(&self.work.shown)
     }
 
-    /// Carries out what a key asks for, and returns the name of the file that was saved, if any. On an error the title tells it,
-    /// and everything stays as it was.
-    pub fn obey(&mut self, command: Command) -> Option<String> {
+    /// Returns where the picture lies in a window of `width` x `height`.
+    #[must_use]
+    pub fn place(&self, width: usize, height: usize) -> Place {
+        let picture = self.work.shown.picture();
+        Place::new(picture.size, picture.aspect, width, height)
+    }
+
+    /// Returns how many colours the device can show at once; 0 if there is no device.
+    #[must_use]
+    pub fn colors(&self) -> usize {
+        self.request.target.device().map_or(0, |device| device.capabilities().colors.into())
+    }
+
+    /// Carries out what a key asks for. On an error a note tells it, and everything stays as it was.
+    pub fn obey(&mut self, command: Command) {
         self.note = None;
         let mut request = self.request.clone();
-        let mut device = self.device;
         match command {
             Command::Device => {
-                device = device.next();
-                request = Request { target: Target::On(device), size: None, aspect: None, ..request };
+                let target = request.target.next();
+                request = Request { target, size: None, aspect: None, ..request };
             }
             Command::Model => request.model = request.model.next(),
             Command::Format => request.format = request.format.next(),
             Command::Table => request.table = request.table.next(),
             Command::Deeper if request.depth < MAX_DEPTH => request.depth += 1,
             Command::Shallower if request.depth > 0 => request.depth -= 1,
-            Command::Deeper | Command::Shallower => return None,
-            Command::Restart => {}
+            Command::Deeper | Command::Shallower => return,
+            Command::Reload => return self.reload(),
+            Command::Save if self.is_complete() => return self.save(),
             Command::Save => {
-                let saved = self.save();
-                self.note = Some(match &saved {
-                    Ok(name) => format!("saved {name}"),
-                    Err(error) => error.to_string(),
-                });
-                return saved.ok();
+                self.is_saving = true;
+                let text = "the picture is saved once it is complete".into();
+                self.note = Some(Note::message(text));
+                return;
             }
         }
-        match begin(&self.scene, device, &request, &self.pool) {
-            Ok((screen, tracing)) => {
-                (self.screen, self.tracing) = (screen, tracing);
-                (self.device, self.request) = (device, request);
+        let model = request.model;
+        let begun = request
+            .for_scene(Some(model), &self.scene)
+            .map_err(Error::from)
+            .and_then(|request| Ok((Work::begin(&self.scene, &request, &self.pool)?, request)));
+        match begun {
+            Ok((work, request)) => {
+                self.request = request;
+                self.replace(work);
             }
-            Err(error) => self.note = Some(error.to_string()),
+            Err(error) => self.note = Some(Note::error(error.to_string())),
         }
-        None
     }
 
-    /// Saves what the device shows now as a new PNG in the current folder. Returns its name.
-    ///
-    /// # Errors
-    /// [`PictureError::Write`] and [`PictureError::Display`].
-    pub fn save(&mut self) -> Result<String, Error> {
+    /// Reads the scene file again if it has changed on disk.
+    pub fn follow_file(&mut self) {
+        if self.watch.as_mut().is_some_and(Watch::has_changed) {
+            self.note = None;
+            self.reload();
+        }
+    }
+
+    /// Reads the scene again if it is in a file, and traces it. A file that is broken leaves the picture as it was.
+    fn reload(&mut self) {
+        let begun = self.read_again().and_then(|(scene, request)| {
+            let work = Work::begin(&scene, &request, &self.pool)?;
+            Ok((scene, request, work))
+        });
+        match begun {
+            Ok((scene, request, work)) => {
+                (self.scene, self.request) = (scene, request);
+                self.replace(work);
+            }
+            Err(error) => self.note = Some(Note::error(error.to_string())),
+        }
+    }
+
+    fn read_again(&mut self) -> Result<(SceneFile, Request), Error> {
+        let Some(watch) = &mut self.watch else { return Ok((self.scene.clone(), self.request.clone())) };
+        watch.take();
+        let scene = SceneFile::open(watch.path())?;
+        let mut request = self.request.clone();
+        // A size that the scene stated is stated anew.
+        let size = request.size.map(|size| [size.width(), size.height()]);
+        if request.target == Target::None && size == self.scene.description.raster {
+            (request.size, request.aspect) = (None, None);
+        }
+        let model = request.model;
+        let request = request.for_scene(Some(model), &scene)?;
+        Ok((scene, request))
+    }
+
+    fn replace(&mut self, work: Work) {
+        self.work = work;
+        if core::mem::take(&mut self.is_saving) {
+            let text = "not saved: another picture was begun before that one was complete".into();
+            self.note = Some(Note::error(text));
+        }
+    }
+
+    /// Saves what the device shows as a new PNG in the current folder, and notes its name or what has failed.
+    fn save(&mut self) {
+        self.note = Some(match self.save_new() {
+            Ok(name) => Note::message(format!("saved {name}")),
+            Err(error) => Note::error(error.to_string()),
+        });
+    }
+
+    fn save_new(&mut self) -> Result<String, Error> {
         let mut content = Vec::new();
-        let stem = format!("rta-{}-{}", self.scene.title, self.device);
-        let encoded = self.picture()?.write_png(&self.request.caption(&self.scene), &mut content);
+        let stem = format!("rta-{}-{}", self.scene.title, self.request.target);
+        let caption = self.request.caption(&self.scene);
+        let encoded = self.shown()?.picture().write_png(&caption, &mut content);
         encoded.map_err(|source| PictureError::write(stem.as_ref(), source))?;
         Ok(output::write_new(&stem, &content)?.display().to_string())
+    }
+
+    /// Notes the result of a key; none if there is nothing to say.
+    pub fn note(&mut self, note: Option<Note>) {
+        self.note = note;
+    }
+
+    /// Returns the note if it has not been told on the terminal yet; from now on it has.
+    pub fn news(&mut self) -> Option<Note> {
+        self.note.as_mut().and_then(Note::tell)
+    }
+
+    /// Returns the note as long as it is to be seen in the window.
+    #[must_use]
+    pub fn visible_note(&self) -> Option<&str> {
+        self.note.as_ref().and_then(Note::visible)
+    }
+
+    /// Returns two lines about a pixel: its place, colour and entry of the colour table, and the object and rays behind it.
+    #[must_use]
+    pub fn describe(&mut self, x: u32, y: u32) -> Vec<String> {
+        self.work.pointer.describe(&self.work.engine, &self.work.shown, (x, y))
     }
 
     /// Returns the title: scene, device, format, model, depth and time, and the result of the last key.
     #[must_use]
     pub fn title(&self) -> String {
-        let Request { table, format, model, depth, .. } = &self.request;
-        let (title, device) = (&self.scene.title, self.device);
-        let time = match self.tracing.took {
+        let Request { target, table, format, model, depth, .. } = &self.request;
+        let title = &self.scene.title;
+        let time = match self.work.took {
             Some(took) => format!("{:.2} s", took.as_secs_f64()),
             None => {
-                let rows = self.request.raster().map_or(1, |(size, _)| size.height());
-                format!("{} %", u64::from(self.tracing.rows) * 100 / u64::from(rows))
+                let shown = &self.work.shown;
+                let rows = shown.picture().size.height();
+                format!("{} %", u64::from(shown.rows()) * 100 / u64::from(rows))
             }
         };
-        let note = self.note.as_ref().map(|note| format!(" | {note}")).unwrap_or_default();
-        format!("rta: {title} | {device} | {format} | {model} | depth {depth} | {table} | {time}{note}")
+        let note = self.note.as_ref().map(|note| format!(" | {}", note.text())).unwrap_or_default();
+        format!("rta: {title} | {target} | {format} | {model} | depth {depth} | {table} | {time}{note}")
     }
-}
-
-/// Switches a screen on and starts to trace.
-fn begin(
-    scene: &SceneFile,
-    device: Device,
-    request: &Request,
-    pool: &Arc<ThreadPool>,
-) -> Result<(Screen, Tracing), Error> {
-    let (size, aspect) = request.raster()?;
-    let engine = request.engine(scene)?;
-    let screen = Screen::new(device, request.table, size, aspect)?;
-    let gun_max = device.capabilities().gun_max;
-    let (sender, bands) = mpsc::channel();
-    let stop = Arc::new(AtomicBool::new(false));
-    let (threads, stopped) = (Arc::clone(pool), Arc::clone(&stop));
-    std::thread::spawn(move || {
-        let trace = |first, levels: &mut [_]| engine.level_rows(first, gun_max, levels);
-        let deliver = |first, levels| sender.send((first, levels)).map_err(|_| BandsError::Interrupted);
-        // It ends early only if nobody waits for the rest.
-        let _ = bands::bands(size, &threads, &stopped, trace, deliver);
-    });
-    Ok((screen, Tracing { bands, stop, began: Instant::now(), took: None, rows: 0 }))
 }

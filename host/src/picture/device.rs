@@ -43,16 +43,6 @@ impl Device {
         let (width, height) = self.capabilities().aspect;
         f64::from(width) / f64::from(height)
     }
-
-    /// Returns the device after this one, in a circle.
-    #[must_use]
-    pub const fn next(self) -> Self {
-        match self {
-            Self::Vga => Self::Graphigs,
-            Self::Graphigs => Self::Pixrect,
-            Self::Pixrect => Self::Vga,
-        }
-    }
 }
 
 impl fmt::Display for Device {
@@ -98,6 +88,17 @@ impl Target {
             Self::None => None,
         }
     }
+
+    /// Returns the display after this one, in a circle: the three devices, and none.
+    #[must_use]
+    pub const fn next(self) -> Self {
+        match self {
+            Self::On(Device::Vga) => Self::On(Device::Graphigs),
+            Self::On(Device::Graphigs) => Self::On(Device::Pixrect),
+            Self::On(Device::Pixrect) => Self::None,
+            Self::None => Self::On(Device::Vga),
+        }
+    }
 }
 
 impl fmt::Display for Target {
@@ -127,16 +128,17 @@ impl ValueEnum for Target {
 
 #[cfg(test)]
 mod tests {
-    use super::Device;
+    use super::{Device, Target};
 
     #[test]
-    fn every_device_has_its_raster_and_shape() {
-        let mut device = Device::Vga;
+    fn every_device_has_its_raster_and_shape_and_none_is_in_the_circle() {
+        let mut target = Target::On(Device::Vga);
         for (size, aspect) in [("320x200", 4.0 / 3.0), ("1024x1024", 1.0), ("1152x900", 1.28)] {
-            assert_eq!(device.size().to_string(), size);
-            assert!((device.aspect() - aspect).abs() < 1e-12);
-            device = device.next();
+            assert!(target.device().is_some());
+            assert_eq!(target.size().to_string(), size);
+            assert!((target.aspect() - aspect).abs() < 1e-12);
+            target = target.next();
         }
-        assert_eq!(device, Device::Vga);
+        assert_eq!((target, target.next()), (Target::None, Target::On(Device::Vga)));
     }
 }

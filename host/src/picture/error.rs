@@ -12,7 +12,7 @@ use super::raster::Size;
 #[non_exhaustive]
 pub enum PictureError {
     /// The picture has more pixels than the device.
-    #[error("{size} does not fit {device}, which has {}", device.size())]
+    #[error("{size} does not fit {device}, which has {}; rta render --device none draws any size", device.size())]
     LargerThanDevice {
         /// The picture.
         size: Size,
@@ -20,19 +20,27 @@ pub enum PictureError {
         device: Device,
     },
     /// The name of the output does not tell what kind of file to write.
-    #[error("{}: no known picture format; use a name in .png, .ppm or .pfm, or --as", .0.display())]
+    #[error("{}: no known picture format; use a name in {}, or --as", .0.display(), FileType::extensions())]
     UnknownExtension(PathBuf),
     /// Linear light was asked of a display.
-    #[error("a PFM holds linear light before any display: it needs --device none, not {0}")]
-    LinearFromDevice(Device),
+    #[error("{file_type} holds linear light before any display: it needs --device none, not {device}")]
+    LinearFromDevice {
+        /// The kind of picture file.
+        file_type: FileType,
+        /// The device.
+        device: Device,
+    },
     /// The output cannot be written.
-    #[error("cannot write {}: {}", path.display(), reason(source))]
+    #[error("cannot write {}: {}", name(path), reason(source))]
     Write {
         /// The output.
         path: PathBuf,
         /// What the system says.
         source: io::Error,
     },
+    /// The output is a file that its content is made from.
+    #[error("cannot write {}: the output is the scene itself", name(.0))]
+    IsInput(PathBuf),
     /// A picture was to be written to a terminal.
     #[error("standard output is a terminal: send the {0} to a file or a pipe")]
     Terminal(FileType),
@@ -61,6 +69,11 @@ impl PictureError {
             _ => Self::Write { path: path.to_owned(), source },
         }
     }
+}
+
+/// The name of an output in a message.
+pub(crate) fn name(path: &Path) -> String {
+    if path == Path::new("-") { "standard output".to_owned() } else { path.display().to_string() }
 }
 
 /// The system's description of an error, without its number.

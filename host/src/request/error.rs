@@ -68,6 +68,9 @@ pub enum RequestError {
         /// The limit that it exceeds.
         reason: RasterError,
     },
+    /// A colour table was asked for, but no device.
+    #[error("--table is the colour table of a device, and --device none has none")]
+    TableWithoutDevice,
     /// The picture does not fit its device.
     #[error(transparent)]
     Picture(#[from] PictureError),
@@ -91,10 +94,19 @@ impl fmt::Display for Hint {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::None => Ok(()),
-            Self::Factor(factor) => write!(f, "; --fit would scale it by {factor}"),
+            Self::Factor(factor) => write!(f, "; --fit would scale it by {}", PowerOfTwo(*factor)),
             Self::Floor => write!(f, "; --fit: {FloorError}"),
             Self::NoScale => f.write_str("; --fit finds no scale at which it fits"),
         }
+    }
+}
+
+/// The factor of a scale, which is a power of two. It prints as a short number.
+pub(super) struct PowerOfTwo(pub(super) f64);
+
+impl fmt::Display for PowerOfTwo {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if (1e-6..1e9).contains(&self.0) { self.0.fmt(f) } else { write!(f, "2^{}", self.0.log2()) }
     }
 }
 

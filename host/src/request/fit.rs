@@ -6,7 +6,7 @@ use std::io::{self, Write};
 use rta_scenes::description::{self, Description};
 use rta_scenes::fit::{Fitted, FloorError, fit, missing};
 
-use super::error::{Hint, RequestError};
+use super::error::{Hint, PowerOfTwo, RequestError};
 use super::scene_file::SceneFile;
 use crate::engine::admission::{Refusal, admits, alternatives};
 use crate::engine::{EngineError, Format, Model};
@@ -38,7 +38,7 @@ impl Fit {
         if self.asked
             && let Ok(Fitted::Scaled { factor, scene: scaled, .. }) = self.fitted(&scene.description)
         {
-            tell(&format!("{} is scaled by {factor} to fit {}", scene.source, self.format));
+            tell(&format!("{} is scaled by {} to fit {}", scene.source, PowerOfTwo(factor), self.format));
             return Cow::Owned(*scaled);
         }
         Cow::Borrowed(&scene.description)
@@ -53,7 +53,8 @@ impl Fit {
         {
             let (name, format) = (&scene.source, self.format);
             tell(&format!(
-                "{name} is small for {format}: --fit scales it by {factor} and makes its picture {gain:.0} bits more precise"
+                "{name} is small for {format}: --fit scales it by {} and makes its picture {gain:.0} bits more precise",
+                PowerOfTwo(factor)
             ));
         }
     }

@@ -8,6 +8,7 @@ use rta_scenes::description::Description;
 use rta_scenes::shipped;
 
 use super::error::RequestError;
+use crate::picture::output::Inputs;
 
 /// Largest scene file that is read, in bytes: some hundred thousand objects. The limit keeps the program from reading a
 /// device file or a film to its end.
@@ -22,6 +23,8 @@ pub struct SceneFile {
     pub title: String,
     /// The scene that the file describes.
     pub description: Description,
+    /// The file itself, so that no output replaces it; nothing for a scene of the program.
+    pub inputs: Inputs,
 }
 
 impl SceneFile {
@@ -46,19 +49,19 @@ impl SceneFile {
     /// # Errors
     /// [`RequestError::Read`] and [`RequestError::Scene`].
     pub fn open_with_text(path: &Path) -> Result<(Self, Vec<u8>), RequestError> {
-        let (name, title, text) = if path == Path::new("-") {
+        let (name, title, text, inputs) = if path == Path::new("-") {
             let name = "standard input".to_owned();
             let text = read(io::stdin().lock(), &name)?;
-            (name, "stdin".to_owned(), text)
+            (name, "stdin".to_owned(), text, Inputs::stdin())
         } else {
             let name = path.display().to_string();
             let file =
                 File::open(path).map_err(|source| RequestError::Read { name: name.clone(), source })?;
             let stem = path.file_stem().map(|stem| stem.to_string_lossy().into_owned());
-            let text = read(file, &name)?;
-            (name.clone(), stem.unwrap_or(name), text)
+            let text = read(&file, &name)?;
+            (name.clone(), stem.unwrap_or(name), text, Inputs::file(&file))
         };
-        Ok((Self::parse(&name, &title, &text)?, text))
+        Ok((Self { inputs, ..Self::parse(&name, &title, &text)? }, text))
     }
 
     /// Returns the three scenes of the thesis, which are part of the program, with their texts.
@@ -89,7 +92,7 @@ impl SceneFile {
         // A title goes into window titles and file names: what is not plain there is left out.
         let title =
             title.chars().map(|c| if c.is_control() || "/\\:".contains(c) { '_' } else { c }).collect();
-        Ok(Self { source: source.to_owned(), title, description })
+        Ok(Self { source: source.to_owned(), title, description, inputs: Inputs::default() })
     }
 }
 

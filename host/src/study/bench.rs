@@ -11,13 +11,12 @@
 use core::sync::atomic::{AtomicBool, Ordering};
 use core::time::Duration;
 use std::io::{self, Write};
-use std::path::Path;
 
 use crate::args::BenchArgs;
 use crate::engine::callgrind::CountError;
 use crate::engine::interrupt;
 use crate::engine::progress::Progress;
-use crate::picture::output;
+use crate::picture::output::{self, Inputs};
 use crate::study::error::StudyError;
 use rta_packets::tally::Rays;
 
@@ -70,18 +69,20 @@ pub fn run(args: &BenchArgs) -> Result<(), StudyError> {
     let scenes = args.scenes.len() + names.len();
     let mut progress = Progress::new(u32::try_from(scenes).unwrap_or(u32::MAX));
     let mut bench = Bench { args, stop, uncounted: None };
-    let mut rows = Vec::new();
+    let (mut rows, mut inputs) = (Vec::new(), Inputs::default());
     // One after the other: of many large scenes only one is in memory.
     let files = args.scenes.iter().map(|path| Case::file(path, tracing));
     for (case, done) in files.chain(names.iter().map(|name| Case::named(name, tracing))).zip(1..) {
-        rows.push(bench.row(&case?)?);
+        let case = case?;
+        inputs.add(&case.scene.inputs);
+        rows.push(bench.row(&case)?);
         progress.reached(done);
     }
     drop(progress);
     if let Some(reason) = bench.uncounted {
         let _ = writeln!(io::stderr(), "rta: no instructions: {reason}");
     }
-    Ok(output::write_text(Path::new("-"), &report(&rows, args))?)
+    Ok(output::print(&report(&rows, args), &inputs)?)
 }
 
 /// A bench under way.

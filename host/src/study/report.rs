@@ -11,7 +11,7 @@
 //! | errors and costs of every setting of a scene | [`mod@study`] |
 //! | the files | [`table`], [`diagram`], [`page`] |
 
-use std::fs;
+use core::iter;
 use std::path::{Path, PathBuf};
 
 use crate::args::ReportArgs;
@@ -20,6 +20,7 @@ use crate::engine::progress::Progress;
 use crate::picture::device::Device;
 use crate::picture::error::PictureError;
 use crate::picture::file::{Caption, Displayed, Pixels};
+use crate::picture::output::{self, Failure, Inputs, Output};
 use crate::picture::raster::Size;
 use crate::request::scene_file::SceneFile;
 use crate::study::error::StudyError;
@@ -59,15 +60,15 @@ pub fn run(args: &ReportArgs) -> Result<(), StudyError> {
     }
     let program = std::env::current_exe().ok();
     let sources = sources(&args.scenes)?;
-    let failed = |source| PictureError::write(&args.output, source);
-    fs::create_dir_all(&args.output).map_err(failed)?;
+    output::make_folder(&args.output)?;
     let setup = Setup {
         size,
         aspect: args.aspect.ratio(),
         program: if args.no_instructions { None } else { program.as_deref() },
         stop: interrupt::watch(),
     };
-    write(&args.output, &studies(&sources, setup)?, setup)
+    let files = Files::open(&args.output, &sources)?;
+    files.write(&studies(&sources, setup)?, setup)
 }
 
 /// Reads the scenes, or takes the thesis's three if no file is named.
@@ -79,8 +80,10 @@ fn sources(paths: &[PathBuf]) -> Result<Vec<Source>, StudyError> {
         paths.iter().map(|path| SceneFile::open_with_text(path)).collect::<Result<_, _>>()?
     };
     for (scene, text) in scenes {
-        let same = sources.iter().filter(|other| other.scene.title == scene.title).count();
-        let title = if same == 0 { scene.title.clone() } else { format!("{}-{}", scene.title, same + 1) };
+        let numbered = (2..).map(|number| format!("{}-{number}", scene.title));
+        let mut titles = iter::once(scene.title.clone()).chain(numbered);
+        let is_free = |title: &String| sources.iter().all(|other| other.title != *title);
+        let title = titles.find(is_free).unwrap_or_default();
         sources.push(Source { scene, text, title });
     }
     Ok(sources)
@@ -97,24 +100,36 @@ pub fn studies(sources: &[Source], setup: Setup) -> Result<Vec<Study>, StudyErro
     sources.iter().zip(begins).map(|(source, done)| study(source, setup, &mut progress, done)).collect()
 }
 
-/// Writes `report.csv`, `report.md`, and an SVG and a PNG for each scene.
-fn write(folder: &Path, studies: &[Study], setup: Setup) -> Result<(), StudyError> {
-    let file = |name: &str, content: &[u8]| {
-        let path = folder.join(name);
-        fs::write(&path, content).map_err(|source| PictureError::write(&path, source))
-    };
-    file("report.csv", &table::csv(studies).map_err(StudyError::report)?)?;
-    for study in studies {
-        let title = &study.title;
-        file(&format!("{title}.svg"), diagram::svg(study).map_err(StudyError::report)?.as_bytes())?;
-        let (mut png, name) = (Vec::new(), format!("{title}.png"));
-        let caption = Caption { title: title.clone(), settings: "error against run time".to_owned() };
-        png_of(study)?
-            .write_png(&caption, &mut png)
-            .map_err(|source| PictureError::write(&folder.join(&name), source))?;
-        file(&name, &png)?;
+/// The files of a report, each found to be writable and none of the scenes.
+struct Files {
+    csv: Output,
+    /// SVG and PNG of each scene.
+    diagrams: Vec<[Output; 2]>,
+    page: Output,
+}
+
+impl Files {
+    fn open(folder: &Path, sources: &[Source]) -> Result<Self, PictureError> {
+        let mut inputs = Inputs::default();
+        sources.iter().for_each(|source| inputs.add(&source.scene.inputs));
+        let open = |name: &str| Output::open(&folder.join(name), &inputs);
+        let diagrams = sources
+            .iter()
+            .map(|Source { title, .. }| Ok([open(&format!("{title}.svg"))?, open(&format!("{title}.png"))?]));
+        let diagrams = diagrams.collect::<Result<_, PictureError>>()?;
+        Ok(Self { csv: open("report.csv")?, diagrams, page: open("report.md")? })
     }
-    Ok(file("report.md", page::markdown(studies, setup.size, setup.aspect).as_bytes())?)
+
+    fn write(self, studies: &[Study], setup: Setup) -> Result<(), StudyError> {
+        self.csv.write(&table::csv(studies).map_err(StudyError::report)?)?;
+        for (study, [svg, png]) in studies.iter().zip(self.diagrams) {
+            svg.write(diagram::svg(study).map_err(StudyError::report)?.as_bytes())?;
+            let settings = "error against run time".to_owned();
+            let (diagram, caption) = (png_of(study)?, Caption { title: study.title.clone(), settings });
+            png.fill(|out| Ok::<_, Failure<StudyError>>(diagram.write_png(&caption, out)?))?;
+        }
+        Ok(self.page.write(page::markdown(studies, setup.size, setup.aspect).as_bytes())?)
+    }
 }
 
 /// Returns a diagram as a picture with square pixels.

@@ -42,7 +42,7 @@ use crate::engine::Format;
 use crate::engine::progress::Progress;
 use crate::engine::{bands, interrupt};
 use crate::picture::error::PictureError;
-use crate::picture::output;
+use crate::picture::output::{self, Inputs, Output};
 use crate::study::error::StudyError;
 use cases::Case;
 use measure::{Outcome, measure};
@@ -101,26 +101,30 @@ pub fn rows(cases: &[Case], samples: usize, mut done: impl FnMut(u32)) -> Result
 /// Runs `rta stability`.
 ///
 /// # Errors
-/// Those of [`rows`], and [`PictureError::Write`] for the output; the file is looked at before the work.
+/// Those of [`rows`], and [`PictureError::Write`] for the output; it is opened before the work.
 pub fn run(args: &StabilityArgs) -> Result<(), StudyError> {
-    let before = args.output.as_deref().map(read).transpose()?;
+    let file = args.output.as_deref().map(|path| {
+        let before = read(path)?;
+        Ok::<_, StudyError>((path, before, Output::open(path, Inputs::NONE)?))
+    });
+    let file = file.transpose()?;
     let cases = cases::all();
     let mut progress = Progress::new(u32::try_from(cases.len() * FORMATS.len()).unwrap_or(u32::MAX));
     let rows = rows(&cases, args.rays, |count| progress.reached(count))?;
     drop(progress);
-    output::print(&table::text(&rows))?;
+    output::print(&table::text(&rows), Inputs::NONE)?;
     if !guard::CHECKED {
         let _ = writeln!(
             io::stderr(),
             "rta: this build does not look for overflow: use cargo run --profile checked"
         );
     }
-    if let (Some(path), Some(before)) = (&args.output, before) {
+    if let Some((path, before, output)) = file {
         let profile = if guard::CHECKED { "--profile checked" } else { "--release" };
         let command = format!("cargo run {profile} -- stability --rays {} -o {}", args.rays, path.display());
         let part = format!("Made by `{command}`:\n\n{}", table::markdown(&rows));
         let text = table::into_markdown(&before, &part);
-        fs::write(path, text).map_err(|source| PictureError::write(path, source))?;
+        output.write(text.as_bytes())?;
     }
     Ok(())
 }

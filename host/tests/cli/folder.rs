@@ -79,7 +79,7 @@ impl Folder {
     }
 
     pub(crate) fn renders(&self, args: &[&str]) -> Vec<u8> {
-        let args = [&["render"], args].concat();
+        let args = [&["render", "--quiet"], args].concat();
         let Output { status, stdout, stderr } = self.rta(&args);
         assert!(status.success() && stderr.is_empty(), "{args:?}: {}", String::from_utf8_lossy(&stderr));
         stdout

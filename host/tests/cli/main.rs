@@ -8,12 +8,16 @@ use std::process::Output;
 mod bench;
 mod firmware;
 mod folder;
+#[cfg(all(unix, feature = "image"))] // what the system says, and the names of all picture files
+mod mistakes;
 mod nff;
+mod outputs;
 mod pictures;
 mod pipes;
 mod refused;
 mod report;
 mod show;
+mod window;
 
 use folder::Folder;
 use rta::engine::Model;

@@ -109,7 +109,7 @@ fn standard_input_is_recognised_by_what_it_says() {
     let folder = folder();
     for (text, name) in [(SMALL, "small.nff"), (SCENE, "scene.dat")] {
         let args = ["-o", "-", "--as", "ppm", "--device", "none", "--size", "32x24"];
-        let mut command = folder.command(&[&["render", "-"], &args[..]].concat());
+        let mut command = folder.command(&[&["render", "-q", "-"], &args[..]].concat());
         let mut child = command.stdin(Stdio::piped()).stdout(Stdio::piped()).spawn().unwrap();
         child.stdin.take().unwrap().write_all(text.as_bytes()).unwrap();
         let piped = child.wait_with_output().unwrap().stdout;
@@ -129,7 +129,7 @@ fn a_scene_that_does_not_fit_is_scaled_if_that_is_asked() {
     folder.refuses(&["bake", "large.nff", "-o", "large.rs"], &["--fit would scale it by 0."]);
     folder.refuses(&["explain", "large.nff", "--pixel", "1,1"], &["--fit would scale it by 0."]);
     for command in [
-        &[&["render", "large.nff"], &args[..]].concat()[..],
+        &[&["render", "-q", "large.nff"], &args[..]].concat()[..],
         &["check", "large.nff"],
         &["bake", "large.nff", "-o", "-"],
         &["explain", "large.nff", "--pixel", "1,1"],

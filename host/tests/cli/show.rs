@@ -5,16 +5,20 @@ use std::time::Instant;
 
 use rta::args::ShowArgs;
 use rta::device::{Device, Target};
-use rta::engine::{Format, Model};
+use rta::engine::{Engine, Format, Model, Settings};
 use rta::picture::Pixels;
 use rta::request::Request;
 use rta::scene::Scene;
+use rta::show::reload::Watch;
 use rta::show::{Command, Show};
+use rta_core::color::Rgb;
+
+use super::folder::Folder;
 
 fn show(scene: Scene) -> Show {
     let request = ShowArgs::default().tracing.request(Target::On(Device::Vga));
     let request = Request { size: Some("80x50".parse().expect("a size")), ..request };
-    Show::new(scene, Device::Vga, request, Some(2)).expect("it begins")
+    Show::new(scene, None, request, Some(2)).expect("it begins")
 }
 
 fn complete(show: &mut Show) {
@@ -27,7 +31,7 @@ fn complete(show: &mut Show) {
 }
 
 fn pixels(show: &mut Show) -> Pixels {
-    show.picture().expect("the device answers").pixels
+    show.shown().expect("the device answers").picture().pixels.clone()
 }
 
 #[test]
@@ -50,7 +54,7 @@ fn keys_change_the_picture_and_back() {
     ] {
         for (keys, away) in [(there, true), (back, false)] {
             for key in keys {
-                assert_eq!(show.obey(key), None);
+                show.obey(key);
             }
             complete(&mut show);
             assert_eq!(show.title().contains(word), away, "{}", show.title());
@@ -60,16 +64,84 @@ fn keys_change_the_picture_and_back() {
 }
 
 #[test]
+fn the_picture_of_the_window_is_that_of_render_with_and_without_a_device() {
+    let folder = Folder::new();
+    let scene = || Scene::open(&folder.path("scene.dat")).expect("it is well formed");
+    let request = ShowArgs::default().tracing.request(Target::On(Device::Vga));
+    let mut show = Show::new(scene(), None, request, Some(2)).expect("it begins");
+    for device in ["vga", "graphigs", "pixrect", "none"] {
+        complete(&mut show);
+        assert_eq!(show.request().target.to_string(), device);
+        let mut ppm = Vec::new();
+        let shown = show.shown().expect("the device answers");
+        shown.picture().write_ppm(&mut ppm).expect("memory takes it");
+        let size = shown.picture().size;
+        let last = shown.color(size.columns() - 1, size.height() as usize - 1);
+        assert!(ppm.ends_with(&[last.r, last.g, last.b]), "{device}");
+        let options = ["scene.dat", "-o", "-", "--as", "ppm", "--device", device];
+        assert!(ppm == folder.renders(&options), "{device}");
+        show.obey(Command::Device);
+    }
+    assert_eq!(show.request().target, Target::On(Device::Vga));
+}
+
+#[test]
+fn a_preview_is_the_picture_with_fewer_pixels() {
+    let scene = Scene::juggler().expect("it is well formed").description;
+    for format in Format::ALL.iter().copied() {
+        let large = Settings { format, ..Settings::default() };
+        let small = Settings { width: 40, height: 25, ..large.clone() };
+        let [large, small] = [large, small].map(|settings| Engine::new(&scene, &settings).expect("it fits"));
+        let (mut preview, mut picture) = (vec![Rgb::default(); 40 * 9], vec![Rgb::default(); 40 * 9]);
+        let size = "40x25".parse().expect("a size");
+        large.preview_rows(size, 16, 63, &mut preview).expect("a raster");
+        small.level_rows(16, 63, &mut picture);
+        assert_eq!(preview, picture, "{format}");
+        assert!(preview.iter().any(|levels| *levels != preview[0]));
+    }
+}
+
+#[test]
+fn a_scene_read_again_states_its_size_anew() {
+    let folder = Folder::new();
+    let path = folder.path("scene.nff");
+    let nff = |resolution: &str| {
+        format!(
+            "v\nfrom 0 -5 0\nat 0 0 0\nup 0 0 1\nangle 40\nhither 1\nresolution {resolution}\nl 5 -5 5\n\
+             f 1 0 0 1 0 0 0 1\ns 0 0 0 1\n"
+        )
+    };
+    folder.scene("scene.nff", nff("64 48"));
+    let watch = Watch::new(&path);
+    let scene = Scene::open(&path).expect("it is well formed");
+    let request = ShowArgs::default().tracing.request_for(Target::None, &scene).expect("a size");
+    let mut show = Show::new(scene, Some(watch), request, Some(2)).expect("it begins");
+    folder.scene("scene.nff", nff("32 48"));
+    show.obey(Command::Reload);
+    assert_eq!(show.visible_note(), None);
+    complete(&mut show);
+    assert_eq!(show.request().raster().expect("a size").0.to_string(), "32x48");
+    // What cannot be read leaves everything as it was.
+    folder.scene("scene.nff", "v\nfrom 0 -5");
+    show.obey(Command::Reload);
+    assert!(show.visible_note().is_some_and(|note| note.contains("scene.nff")), "{}", show.title());
+    assert!(show.is_complete());
+    assert_eq!(show.request().raster().expect("a size").0.to_string(), "32x48");
+}
+
+#[test]
 fn a_key_does_not_wait_for_the_picture() {
     let mut show = show(Scene::juggler().expect("it is well formed"));
     show.obey(Command::Device);
-    assert_eq!((show.device(), show.request().size), (Device::Graphigs, None));
+    assert_eq!((show.request().target, show.request().size), (Target::On(Device::Graphigs), None));
     for _ in 0..50 {
-        show.obey(Command::Restart);
+        show.obey(Command::Reload);
     }
     show.obey(Command::Device);
     show.obey(Command::Device);
-    assert_eq!(show.device(), Device::Vga);
+    assert_eq!(show.request().target, Target::None);
+    show.obey(Command::Device);
+    assert_eq!(show.request().target, Target::On(Device::Vga));
     complete(&mut show);
 }
 

@@ -188,12 +188,10 @@ fn write_lists<S: Literal>(out: &mut impl Write, scene: &Narrowed<S>) -> fmt::Re
             Some(normals) => format!("Some([{}])", normals.map(direction::<S>).join(", ")),
         };
         format!(
-            "corner: {}, extent: {}, normal: {}, inward: [{}], heights: [{}], normals: {normals}, color: {}, material: {}",
-            place::<S>(t.corner),
+            "vertices: [{}], extent: {}, normal: {}, normals: {normals}, color: {}, material: {}",
+            t.vertices.map(place::<S>).join(", "),
             length(t.extent),
             direction::<S>(t.normal),
-            t.inward.map(direction::<S>).join(", "),
-            t.heights.map(length).join(", "),
             color::<S>(t.color),
             material(&t.material)
         )

@@ -2,6 +2,8 @@
 
 use core::fmt;
 
+use crate::numbers::Short;
+
 /// Something in a scene that a number format cannot hold.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
@@ -21,8 +23,14 @@ pub struct NarrowError {
 impl fmt::Display for NarrowError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { object, quantity, value, limit, format } = self;
-        let side = if value.abs() < *limit { "below the smallest" } else { "beyond the largest" };
-        write!(f, "{object} is out of {format}'s range: {quantity} {value}, {side} {limit}")
+        let size = value.abs();
+        let (size, side, limit) = if size < *limit {
+            (Short::at_most(size), "below the smallest", Short::at_least(*limit))
+        } else {
+            (Short::at_least(size), "beyond the largest", Short::at_most(*limit))
+        };
+        let sign = if *value < 0.0 { "-" } else { "" };
+        write!(f, "{object} is out of {format}'s range: {quantity} {sign}{size}, {side} {limit}")
     }
 }
 

@@ -1,11 +1,11 @@
-//! A triangle in one number format: everything but the corner is made in `f64`.
+//! A triangle in one number format: everything but the vertices is made in `f64`.
 
 use rta_core::shape::Triangle;
 use rta_core::vector::{UnitVec3, Vector};
 
 use super::{Checker, Narrow, NarrowError};
 use crate::description;
-use crate::space::{cross, difference, dot, length, unit};
+use crate::space::{cross, difference, length, unit};
 
 /// A direction in the format.
 pub fn direction<S: Narrow>(v: [f64; 3]) -> UnitVec3<S> {
@@ -20,9 +20,7 @@ pub fn direction<S: Narrow>(v: [f64; 3]) -> UnitVec3<S> {
 pub fn narrow<S: Narrow>(index: usize, of: &description::Triangle) -> Result<Triangle<S>, NarrowError> {
     let check = Checker::<S>::new("triangle", index, of.line);
     let [a, b, c] = of.vertices;
-    let corner = check.place(a, 0.0)?;
-    check.place(b, 0.0)?;
-    check.place(c, 0.0)?;
+    let vertices = [check.place(a, 0.0)?, check.place(b, 0.0)?, check.place(c, 0.0)?];
     let (ab, ac, bc) = (difference(b, a), difference(c, a), difference(c, b));
     let extent = length(ab).max(length(ac));
     let area = cross(ab, ac);
@@ -38,16 +36,11 @@ pub fn narrow<S: Narrow>(index: usize, of: &description::Triangle) -> Result<Tri
         ));
     };
     let extent = check.radius(extent)?;
-    // In the plane, to the left of an edge that goes counterclockwise.
-    let inward = [bc, [-ac[0], -ac[1], -ac[2]], ab].map(|edge| unit(cross(normal, edge)).unwrap_or(normal));
-    debug_assert!(dot(normal, inward[0]).abs() < 1e-6, "it lies in the plane");
     let normals = of.normals.map(|normals| normals.map(|n| direction::<S>(unit(n).unwrap_or(normal))));
     Ok(Triangle {
-        corner,
+        vertices,
         extent,
         normal: direction::<S>(normal),
-        inward: inward.map(direction::<S>),
-        heights: heights.map(S::length),
         normals,
         color: check.color("a colour's register", of.color)?,
         material: check.material(&of.surface)?,

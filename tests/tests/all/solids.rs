@@ -61,7 +61,7 @@ fn shoot<S: Measure>(scene: &Narrowed<S>, from: Triple, towards: Triple) -> Shot
     let read = |v: rta_core::vector::Vec3<S>| [v.x(), v.y(), v.z()].map(S::to_f64);
     let hit = admitted.closest::<Everything>(&ray).map(|hit| {
         let found = admitted.scene.point::<Everything>(hit.object, &ray, hit.distance);
-        let (SurfacePoint { distance, point, normal }, _) = found.expect("it is of an object");
+        let (SurfacePoint { distance, point, normal, .. }, _) = found.expect("it is of an object");
         let (search, distance) = (hit.distance.to_f64(), distance.to_f64());
         assert!((search - distance).abs() < 300.0 * S::LENGTH, "{search} and {distance}");
         (search, read(point), read_direction::<S>(normal))

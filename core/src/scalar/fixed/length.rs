@@ -56,8 +56,19 @@ macro_rules! fixed_point {
                 Self::from_bits(round(wide(self.to_bits(), factor.to_bits())))
             }
             #[cfg_attr(not(target_os = "none"), inline)]
-            fn square(self) -> $wide {
-                <$wide>::from_bits(wide(self.to_bits(), self.to_bits()))
+            fn product(self, other: Self) -> $wide {
+                <$wide>::from_bits(wide(self.to_bits(), other.to_bits()))
+            }
+            #[allow(clippy::cast_possible_truncation)] // shifted so that it fits
+            fn part(part: $wide, whole: $wide) -> I2F30 {
+                let (part, whole) = (part.to_bits().unsigned_abs(), whole.to_bits().unsigned_abs());
+                // 31 bits of the whole are left, as many as a reciprocal has.
+                let cut = 33u32.saturating_sub(whole.leading_zeros());
+                let (part, whole) = ((part >> cut) as u32, (whole >> cut) as u32);
+                if part >= whole {
+                    return I2F30::ONE;
+                }
+                I2F30::from_bits(saturate(Reciprocal::of(whole).times(part.cast_signed())))
             }
             fn sqrt(square: $wide) -> Self {
                 let root = integer::sqrt(u64::try_from(square.to_bits()).unwrap_or(0));
@@ -72,7 +83,8 @@ macro_rules! fixed_point {
             }
             #[cfg_attr(not(target_os = "none"), inline)]
             fn stretch(self, slope: Reciprocal) -> Self {
-                Self::from_bits(saturate(slope.times(self.to_bits())))
+                let last = i64::from(i32::MAX - 1);
+                Self::from_bits(word(slope.times(self.to_bits()).clamp(-last, last)))
             }
             fn over(self, slope: I2F30) -> Self {
                 Self::from_bits(saturate(
@@ -92,8 +104,9 @@ macro_rules! fixed_point {
                 Self::from_bits(self.to_bits() + slack)
             }
             #[cfg_attr(not(target_os = "none"), inline)]
-            fn next_up(self) -> Self {
-                self.saturating_add(Self::DELTA)
+            fn at_one_place(self, _extent: Self, cosine: I2F30) -> Self {
+                let error = Self::from_bits(LEAVE_LSB + (self.to_bits() >> 28));
+                self.saturating_add(Scalar::over(error, cosine))
             }
             fn odd_tile(self) -> bool {
                 integer::odd_third(i64::from(self.to_bits() >> $bits))

@@ -2,7 +2,7 @@
 
 use glam::{BVec4A, Vec4};
 use rta_core::Scalar;
-use rta_core::accelerator::Accelerator;
+use rta_core::accelerator::{Accelerator, Closest};
 use rta_core::needs::Needs;
 use rta_core::scene::{Hit, Object};
 use rta_core::shape::Primitive;
@@ -10,48 +10,41 @@ use rta_core::world::World;
 
 use super::geometry::{Ray4, to_floor};
 use super::packet::RayPacket;
-use super::vector::{lane, mask, one, one_mut, set};
+use super::vector::{lane, mask, one, one_mut, one_ref, set};
 use crate::cache::ShadowCache;
 use crate::leaf::{Bits, Sphere4, index};
 use crate::one::distance;
 use crate::packets::Packets;
 
-/// The nearest hits of four rays.
-pub(crate) struct Closest4 {
-    /// How far away; of a ray that meets nothing, [`Scalar::FAR`], and of one that is not there, 0.
+/// The hits that four rays see.
+pub(crate) struct Hits4 {
+    /// How far away; of a ray that meets nothing, [`Scalar::FAR`].
     pub(crate) distance: Vec4,
     pub(crate) objects: [Option<Object>; 4],
 }
 
+/// The hits of four rays: four times [`Closest`].
+struct Closest4 {
+    /// From where on hits are of no interest; of a ray that is not there, 0.
+    limit: Vec4,
+    rays: [Closest<f32>; 4],
+}
+
 impl Closest4 {
-    /// Takes hits of those rays that are not farther away; where one is as near, the first in order.
+    /// Adds the hits of an object at distances before [`Closest4::limit`].
     #[inline(always)]
-    fn offer(&mut self, met: BVec4A, distance: Vec4, object: Object) {
-        let nearer = met & distance.cmplt(self.distance);
-        let mut taken = nearer.bitmask();
-        for k in Bits(met.bitmask() & !taken) {
-            taken |= u32::from(one(&self.objects, k).is_none_or(|met| object < met)) << k;
-        }
-        self.distance = Vec4::select(nearer, distance, self.distance);
-        for k in Bits(taken) {
-            *one_mut(&mut self.objects, k) = Some(object);
+    fn offer<N: Needs>(&mut self, met: BVec4A, distance: Vec4, object: Object) {
+        for k in Bits(met.bitmask()) {
+            self.offer_one::<N>(k, Hit { distance: lane(&distance, k), object });
         }
     }
 
-    /// Takes the hit of one.
+    /// Adds the hit of one ray.
     #[inline(always)]
-    fn offer_one(&mut self, k: usize, hit: Hit<f32>) {
-        let place = one_mut(&mut self.objects, k);
-        if hit.distance < lane(&self.distance, k) || place.is_none_or(|met| hit.object < met) {
-            set(&mut self.distance, k, hit.distance);
-            *place = Some(hit.object);
-        }
-    }
-
-    /// What one ray has to be nearer than.
-    #[inline(always)]
-    fn limit(&self, k: usize) -> f32 {
-        lane(&self.distance, k).next_up()
+    fn offer_one<N: Needs>(&mut self, k: usize, hit: Hit<f32>) {
+        let ray = one_mut(&mut self.rays, k);
+        ray.offer::<N>(hit);
+        set(&mut self.limit, k, ray.limit());
     }
 }
 
@@ -65,24 +58,31 @@ impl Packets {
         rays: &Ray4,
         (there, are_eyes): (u32, bool),
         cache: &mut ShadowCache,
-    ) -> Closest4 {
-        let far = Vec4::select(mask(there), Vec4::splat(f32::FAR), Vec4::ZERO);
-        let mut nearest = Closest4 { distance: far, objects: [None; 4] };
+    ) -> Hits4 {
+        let limit = Vec4::select(mask(there), Vec4::splat(f32::FAR), Vec4::ZERO);
+        let mut closest = Closest4 { limit, rays: [const { Closest::new() }; 4] };
         if N::FLOOR && world.scene.floor.is_some() {
             let (met, distance) = to_floor(rays);
-            nearest.offer(met & distance.cmple(nearest.distance), distance, Object::Floor);
+            closest.offer::<N>(met & distance.cmplt(closest.limit), distance, Object::Floor);
         }
         let left = if !self.is_too_large && (are_eyes || self.nodes.is_empty()) {
-            self.closest_together::<N>(world, rays, there, cache, &mut nearest)
+            self.closest_together::<N>(world, rays, there, cache, &mut closest)
         } else {
             there
         };
-        for k in Bits(left) {
-            if let Some(hit) = self.closest::<N>(world, &rays.lane(k), cache) {
-                nearest.offer_one(k, hit);
+        let mut hits = Hits4 { distance: Vec4::splat(f32::FAR), objects: [None; 4] };
+        for k in Bits(there) {
+            let hit = if left >> k & 1 == 1 {
+                self.closest::<N>(world, &rays.lane(k), cache)
+            } else {
+                one_ref(&closest.rays, k).seen::<N>(&world.scene, &rays.lane(k))
+            };
+            if let Some(hit) = hit {
+                set(&mut hits.distance, k, hit.distance);
+                *one_mut(&mut hits.objects, k) = Some(hit.object);
             }
         }
-        nearest
+        hits
     }
 
     /// Finds the nearest hit of each together: a bit for each ray that has to look for itself.
@@ -93,13 +93,13 @@ impl Packets {
         rays: &Ray4,
         there: u32,
         cache: &mut ShadowCache,
-        nearest: &mut Closest4,
+        closest: &mut Closest4,
     ) -> u32 {
         let history = cache.of_eye();
         if !history.go_together() {
             return there;
         }
-        let Some(mut four) = RayPacket::new(self, rays, nearest.distance) else {
+        let Some(mut four) = RayPacket::new(self, rays, closest.limit) else {
             return there;
         };
         let mut asked = 0;
@@ -110,9 +110,9 @@ impl Packets {
                     let Some(cylinder) = world.scene.cylinders.get(index(i)) else { continue };
                     for r in four.meet_column(columns, k) {
                         let ray = world.ray::<N>(rays.origin.lane(r), rays.direction.lane(r));
-                        if let Some(distance) = cylinder.intersect(&ray, nearest.limit(r)) {
-                            nearest.offer_one(r, Hit { distance, object: Object::Cylinder(i) });
-                            four.shorten(nearest.distance);
+                        if let Some(distance) = cylinder.intersect(&ray, lane(&closest.limit, r)) {
+                            closest.offer_one::<N>(r, Hit { distance, object: Object::Cylinder(i) });
+                            four.shorten(closest.limit);
                         }
                     }
                 }
@@ -120,7 +120,7 @@ impl Packets {
         }
         if self.nodes.is_empty() {
             for leaf in &self.leaves {
-                asked += self.closest_of::<N>(world, (leaf, leaf.slots(), 15), rays, &mut four, nearest);
+                asked += self.closest_of::<N>(world, (leaf, leaf.slots(), 15), rays, &mut four, closest);
             }
         } else {
             let (Some(cells), Some(frustum)) = (four.eye_cells(), four.frustum()) else { return there };
@@ -138,7 +138,7 @@ impl Packets {
                         break;
                     };
                     let slots = frustum.touch(leaf, longest);
-                    asked += self.closest_of::<N>(world, (leaf, slots, group), rays, &mut four, nearest);
+                    asked += self.closest_of::<N>(world, (leaf, slots, group), rays, &mut four, closest);
                 }
             }
         }
@@ -154,7 +154,7 @@ impl Packets {
         (leaf, slots, group): (&Sphere4, Bits, u32),
         rays: &Ray4,
         four: &mut RayPacket,
-        nearest: &mut Closest4,
+        closest: &mut Closest4,
     ) -> u32 {
         let mut asked = 0;
         for k in slots {
@@ -163,21 +163,22 @@ impl Packets {
             let sphere = || {
                 let (center, radius) = leaf.sphere(k);
                 let (is_met, distance) = rays.meet_sphere(center, radius);
-                (is_met & distance.cmple(nearest.distance), distance)
+                (is_met & distance.cmplt(closest.limit), distance)
             };
             let (is_met, distance) = match item {
                 Object::Sphere(_) if N::SPHERES => sphere(),
                 Object::Lamp(_) if N::VISIBLE_LAMPS => sphere(),
                 Object::Triangle(i) if N::TRIANGLES => {
                     let Some(triangle) = world.scene.triangles.get(index(i)) else { continue };
-                    rays.meet_triangle::<true>(triangle, nearest.distance)
+                    rays.meet_triangle(triangle, closest.limit)
                 }
                 _ => {
                     for r in Bits(four.meet(leaf, k) & group) {
-                        if let Some(distance) = distance::<_, N>(world, item, &rays.lane(r), nearest.limit(r))
+                        if let Some(distance) =
+                            distance::<_, N>(world, item, &rays.lane(r), lane(&closest.limit, r))
                         {
-                            nearest.offer_one(r, Hit { distance, object: item });
-                            four.shorten(nearest.distance);
+                            closest.offer_one::<N>(r, Hit { distance, object: item });
+                            four.shorten(closest.limit);
                         }
                     }
                     continue;
@@ -185,8 +186,8 @@ impl Packets {
             };
             let is_met = if group == 15 { is_met } else { is_met & mask(group) };
             if is_met.any() {
-                nearest.offer(is_met, distance, item);
-                four.shorten(nearest.distance);
+                closest.offer::<N>(is_met, distance, item);
+                four.shorten(closest.limit);
             }
         }
         asked

@@ -8,8 +8,8 @@ use rta_core::scene::{Floor, Hit, Object};
 use rta_core::surface::Surface;
 use rta_core::world::{Seen, World};
 
-use super::closest::Closest4;
-use super::geometry::{Ray4, SurfacePoint4, leave, on_floor};
+use super::closest::Hits4;
+use super::geometry::{Ray4, SurfacePoint4, leave, on_floor, reflect};
 use super::vector::{Vec3x4, lane, mask, one, one_mut, set};
 use crate::leaf::{Bits, index};
 
@@ -21,6 +21,9 @@ pub(crate) struct Surfaces4<'a> {
     /// The normals are turned towards the rays' origins.
     pub(crate) spot: SurfacePoint4,
     pub(crate) inside: BVec4A,
+    /// A bit for each whose normal is interpolated, and for these the normals of their flat faces, turned likewise.
+    curved: u32,
+    faces: Vec3x4,
     /// The sizes of the objects.
     pub(crate) extent: Vec4,
     colors: [Rgb<f32>; 4],
@@ -34,6 +37,8 @@ impl<'a> Surfaces4<'a> {
         lights: [Rgb::BLACK; 4],
         spot: SurfacePoint4::ZERO,
         inside: BVec4A::FALSE,
+        curved: 0,
+        faces: Vec3x4::ZERO,
         extent: Vec4::ZERO,
         colors: [Rgb::BLACK; 4],
         materials: [&Material::Opaque; 4],
@@ -45,6 +50,7 @@ impl<'a> Surfaces4<'a> {
         Surface {
             point: self.spot.point.lane(k),
             normal: self.spot.normal.lane(k),
+            face: (self.curved >> k & 1 == 1).then(|| self.faces.lane(k)),
             incoming: rays.direction.lane(k),
             distance: lane(&self.spot.distance, k),
             inside: self.inside.test(k & 3),
@@ -54,9 +60,36 @@ impl<'a> Surfaces4<'a> {
         }
     }
 
-    /// Returns the rays that leave the surfaces on the side of the normals `side`.
+    /// Returns the unit normals of the surfaces themselves: four times [`Surface::side`].
     #[inline(always)]
-    pub(crate) fn left_by(&self, side: Vec3x4, direction: Vec3x4) -> Ray4 {
+    pub(crate) fn sides<N: Needs>(&self) -> Vec3x4 {
+        if N::NORMALS && self.curved != 0 {
+            Vec3x4::select(mask(self.curved), self.faces, self.spot.normal)
+        } else {
+            self.spot.normal
+        }
+    }
+
+    /// Returns which of four lamps are behind the surfaces: four times [`Surface::is_behind`].
+    #[inline(always)]
+    pub(crate) fn are_behind<N: Needs>(&self, direction: Vec3x4, cosine: Vec4) -> BVec4A {
+        let behind = cosine.cmple(Vec4::ZERO);
+        if N::NORMALS && self.curved != 0 {
+            behind | mask(self.curved) & self.faces.dot(direction).cmple(Vec4::ZERO)
+        } else {
+            behind
+        }
+    }
+
+    /// Returns the secondary rays of the directions, on the side of the normals where they leave: four times [`Surface::fold`].
+    #[inline(always)]
+    pub(crate) fn secondary<N: Needs>(&self, direction: Vec3x4, leaves: bool) -> Ray4 {
+        let (mut direction, side) = (direction, self.sides::<N>());
+        let side = if leaves { side } else { -side };
+        if N::NORMALS && self.curved != 0 {
+            let is_wrong = mask(self.curved) & side.dot(direction).cmplt(Vec4::ZERO);
+            direction = Vec3x4::select(is_wrong, reflect(direction, side), direction);
+        }
         Ray4 { origin: leave(self.spot.point, side, direction, self.extent).0, direction }
     }
 
@@ -92,6 +125,10 @@ impl<'a> Surfaces4<'a> {
         set(&mut self.spot.distance, k, surface.distance);
         self.spot.point.set(k, surface.point);
         self.spot.normal.set(k, if surface.inside { -surface.normal } else { surface.normal });
+        if let Some(face) = surface.face {
+            self.curved |= 1 << k;
+            self.faces.set(k, face);
+        }
         set(&mut self.extent, k, surface.extent);
         *one_mut(&mut self.colors, k) = surface.color;
         *one_mut(&mut self.materials, k) = surface.material;
@@ -99,13 +136,7 @@ impl<'a> Surfaces4<'a> {
 
     /// Finds what four rays see where they meet something, or where not.
     #[inline(always)]
-    pub(crate) fn see<N: Needs>(
-        &mut self,
-        world: &World<'a, f32>,
-        rays: &Ray4,
-        nearest: &Closest4,
-        there: u32,
-    ) {
+    pub(crate) fn see<N: Needs>(&mut self, world: &World<'a, f32>, rays: &Ray4, nearest: &Hits4, there: u32) {
         let spots = self;
         let (mut on_spheres, mut on_triangles, mut on_floor) = (0, 0, 0);
         let near = nearest.distance.cmple(Vec4::splat(world.limits.floor_end)).bitmask();
@@ -121,7 +152,7 @@ impl<'a> Surfaces4<'a> {
                 _ => {}
             }
         }
-        spots.on = on_spheres;
+        (spots.on, spots.curved) = (on_spheres, 0);
         if on_spheres != 0
             && let Some(any) = world.scene.spheres.first()
         {

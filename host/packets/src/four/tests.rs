@@ -134,21 +134,12 @@ fn triangles() {
     let (mut hits, mut ends) = (0, 0);
     often(|random| {
         let [a, b, c] = [random.place(), random.place(), random.place()];
-        let corner = a;
         let Some(normal) = (b - a).cross(c - a).try_normalize() else { return };
         let extent = (b - a).length().max((c - a).length());
-        let inward = [(c, b, a), (a, c, b), (b, a, c)].map(|(from, to, vertex)| {
-            let edge = (to - from).try_normalize().unwrap_or(Vec3::X);
-            let across = (vertex - from).reject_from_normalized(edge);
-            across.try_normalize().unwrap_or(Vec3::Y)
-        });
-        let heights = [(a - b).dot(inward[0]), (b - a).dot(inward[1]), (c - a).dot(inward[2])];
         let triangle = Triangle {
-            corner,
+            vertices: [a, b, c],
             extent,
             normal,
-            inward,
-            heights,
             normals: None,
             color: GREY,
             material: Material::Opaque,
@@ -161,7 +152,7 @@ fn triangles() {
             Ray::new(origin, (to - origin).try_normalize().unwrap_or(Vec3::X))
         });
         let four = together(&rays);
-        let free = four.meet_triangle::<false>(&triangle, Vec4::splat(f32::FAR));
+        let free = four.meet_triangle(&triangle, Vec4::splat(f32::FAR));
         let points = SurfacePoint4::on_triangles([&triangle; 4], &four);
         for (k, ray) in rays.iter().enumerate() {
             let right = triangle.intersect(ray, f32::FAR);
@@ -170,9 +161,9 @@ fn triangles() {
             hits += 1;
             // Its own distance is not before itself.
             let end = Vec4::splat(t);
-            assert_eq!(met(four.meet_triangle::<false>(&triangle, end), k), triangle.intersect(ray, t));
+            assert_eq!(met(four.meet_triangle(&triangle, end), k), triangle.intersect(ray, t));
             let at = triangle.intersect(ray, t.next_up());
-            assert_eq!(met(four.meet_triangle::<true>(&triangle, end), k), at);
+            assert_eq!(met(four.meet_triangle(&triangle, Vec4::splat(t.next_up())), k), at);
             ends += u32::from(at.is_some());
             let point = triangle.point::<Everything>(ray, t);
             assert_eq!(lane(&points.distance, k), point.distance);
@@ -224,6 +215,7 @@ fn rays_that_leave() {
             let surface = Surface {
                 point: point[k],
                 normal: normal[k],
+                face: None,
                 incoming: direction[k],
                 distance: 1.0,
                 inside: inside >> k & 1 == 1,

@@ -3,7 +3,7 @@
 //! Each sample's light adds up in the order of its own tree, so that it is the same, to the last bit, as of one sample after
 //! another.
 
-use glam::{Vec3, Vec4};
+use glam::Vec3;
 use rta_core::color::Rgb;
 use rta_core::illumination::{Illumination, Weight};
 use rta_core::light::{Incident, Lamp};
@@ -117,7 +117,7 @@ impl<'a, M: Illumination<f32>, const STACK: usize> Trees4<'a, M, STACK> {
         let spot = &self.surfaces.spot;
         let (direction, distance, inverse, none) = normalize(Vec3x4::splat(lamp.position) - spot.point);
         let cosine = spot.normal.dot(direction);
-        let behind = cosine.cmple(Vec4::ZERO);
+        let behind = self.surfaces.are_behind::<N>(direction, cosine);
         let mut lit = lit & !none;
         if !M::BOTH_SIDES {
             // Darkness, as `direct` would say.
@@ -143,7 +143,8 @@ impl<'a, M: Illumination<f32>, const STACK: usize> Trees4<'a, M, STACK> {
             }
         }
         if shadowed != 0 {
-            let side = Vec3x4::select(behind, -spot.normal, spot.normal);
+            let side = self.surfaces.sides::<N>();
+            let side = Vec3x4::select(behind, -side, side);
             let (origin, used) = leave(spot.point, side, direction, self.surfaces.extent);
             let shadows = (&Ray4 { origin, direction }, distance - used, shadowed);
             let packets = *scene.accelerator();
@@ -176,7 +177,7 @@ impl<'a, M: Illumination<f32>, const STACK: usize> Trees4<'a, M, STACK> {
         if N::GLASS && Bits(which).any(|k| one(&surfaces.materials, k).glass::<N>().is_some()) {
             let glasses = surfaces.materials.map(|material| material.glass::<N>().unwrap_or(&NO_GLASS));
             let (direction, none) = refract(incoming, normal, surfaces.inside, glasses);
-            (refracted, total) = (surfaces.left_by(-normal, direction), none);
+            (refracted, total) = (surfaces.secondary::<N>(direction, false), none);
         }
         // Computed for all four when the first of them asks.
         let (mut reflected, mut is_reflected) = (NOWHERE, false);
@@ -189,7 +190,7 @@ impl<'a, M: Illumination<f32>, const STACK: usize> Trees4<'a, M, STACK> {
                 (&parent.branch, cutoff),
                 || {
                     if !core::mem::replace(&mut is_reflected, true) {
-                        reflected = surfaces.left_by(normal, reflect(incoming, normal));
+                        reflected = surfaces.secondary::<N>(reflect(incoming, normal), true);
                     }
                     start(&reflected, k)
                 },

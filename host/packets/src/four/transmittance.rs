@@ -227,7 +227,7 @@ fn hidden_by<N: Needs>(world: &World<'_, f32>, item: Object, rays: &Ray4, t_max:
         }),
         Object::Triangle(i) if N::TRIANGLES => {
             let triangle = world.scene.triangles.get(index(i));
-            triangle.map(|triangle| rays.meet_triangle::<false>(triangle, t_max).0)
+            triangle.map(|triangle| rays.meet_triangle(triangle, t_max).0)
         }
         _ => {
             let is_met = |&k: &usize| distance::<_, N>(world, item, &rays.lane(k), lane(&t_max, k)).is_some();

@@ -1,34 +1,38 @@
 //! Triangles and four rays at once, with the arithmetic of [`Triangle`].
 
-use glam::{BVec4A, Vec4};
+use glam::{BVec4A, Vec3, Vec4};
 use rta_core::Scalar;
 use rta_core::shape::Triangle;
 
 use super::geometry::{Ray4, SurfacePoint4};
 use super::vector::Vec3x4;
 
-/// Where four rays meet the planes of triangles, from the corners.
-struct Way {
-    /// Distances of the feet of the corners.
-    along: Vec4,
-    /// From the rays to the corners, across.
+/// Four rays and the planes of triangles, relative to their first vertices.
+struct Feet {
+    /// Distances of the feet of the three vertices.
+    along: [Vec4; 3],
+    /// From the rays to the first vertices, across.
     foot: Vec3x4,
-    /// From the feet along the rays to the planes.
+    /// From the feet of the first vertices along the rays to the planes.
     way: Vec4,
 }
 
-impl Way {
+impl Feet {
+    /// `vertices` are relative to the rays' origins.
     #[inline(always)]
-    fn new(displacement: Vec3x4, normal: Vec3x4, cosine: Vec4, direction: Vec3x4) -> Self {
-        let along = displacement.dot(direction);
-        let foot = displacement - direction.scale(along);
-        let (height, zero) = (foot.dot(normal), Vec4::ZERO);
-        let way = (height.abs() / cosine.abs()).min(Vec4::splat(f32::FAR));
-        let is_ahead = height.cmpgt(zero) ^ cosine.cmplt(zero);
-        Self { along, foot, way: Vec4::select(is_ahead, way, -way) }
+    fn new(vertices: [Vec3x4; 3], normal: Vec3x4, cosine: Vec4, direction: Vec3x4) -> Self {
+        let along = vertices.map(|vertex| vertex.dot(direction));
+        let [corner, ..] = vertices;
+        let [b, second, third] = along;
+        let foot = corner - direction.scale(b);
+        let (rise, zero) = (foot.dot(normal), Vec4::ZERO);
+        let way = (rise.abs() / cosine.abs()).min(Vec4::splat(f32::FAR));
+        let way = Vec4::select(rise.cmpgt(zero) ^ cosine.cmplt(zero), way, -way);
+        let (least, most) = (b.min(second).min(third), b.max(second).max(third));
+        Self { along, foot, way: way.max(least - b).min(most - b) }
     }
 
-    /// The places from the corners.
+    /// Returns the places of the hits relative to the first vertices.
     #[inline(always)]
     fn place(&self, direction: Vec3x4) -> Vec3x4 {
         (-self.foot).plus(direction, self.way)
@@ -36,36 +40,40 @@ impl Way {
 }
 
 impl Ray4 {
-    /// Which of them meet a triangle before `t_max`, or `AT` it too, and how far away: four times [`Triangle::intersect`].
+    /// Which of them meet a triangle before `t_max`, and how far away: four times [`Triangle::intersect`].
     #[inline(always)]
-    pub(crate) fn meet_triangle<const AT: bool>(
-        &self,
-        triangle: &Triangle<f32>,
-        t_max: Vec4,
-    ) -> (BVec4A, Vec4) {
+    pub(crate) fn meet_triangle(&self, triangle: &Triangle<f32>, t_max: Vec4) -> (BVec4A, Vec4) {
         let (normal, zero) = (Vec3x4::splat(triangle.normal), Vec4::ZERO);
-        let displacement = Vec3x4::splat(triangle.corner) - self.origin;
-        let (height, cosine) = (displacement.dot(normal), normal.dot(self.direction));
+        let vertices = triangle.vertices.map(|vertex| Vec3x4::splat(vertex) - self.origin);
+        let (height, cosine) = (vertices[0].dot(normal), normal.dot(self.direction));
         let is_ahead = (cosine.cmpgt(zero) & height.cmpgt(zero)) | (cosine.cmplt(zero) & height.cmplt(zero));
         if !is_ahead.any() {
             return (is_ahead, zero);
         }
-        let is_before = |t: Vec4| if AT { t.cmple(t_max) } else { t.cmplt(t_max) };
-        let way = Way::new(displacement, normal, cosine, self.direction);
-        let (b, extent) = (way.along, Vec4::splat(triangle.extent));
+        let feet = Feet::new(vertices, normal, cosine, self.direction);
+        let ([b, second, third], extent) = (feet.along, Vec4::splat(triangle.extent));
         let reach = extent + Vec4::splat(16.0 * f32::EPSILON) * (b.abs() + extent);
-        let slack = extent - reach;
-        let t = b + way.way;
-        let place = way.place(self.direction);
-        let [first, second, third] = triangle.inward.map(|inward| place.dot(Vec3x4::splat(inward)));
         let is_near = (b + extent).cmpgt(zero)
-            & is_before(b - extent)
-            & way.foot.dot(way.foot).cmple(reach * reach)
-            & way.way.abs().cmple(reach);
-        let is_inside = (Vec4::splat(triangle.heights[0]) + first).cmpge(slack)
-            & second.cmpge(slack)
-            & third.cmpge(slack);
-        (is_ahead & is_near & t.cmpgt(zero) & is_before(t) & is_inside, t)
+            & (b - extent).cmplt(t_max)
+            & feet.foot.dot(feet.foot).cmple(reach * reach);
+        let t = b + feet.way;
+        let [_, b, c] = vertices;
+        let feet = [feet.foot, b - self.direction.scale(second), c - self.direction.scale(third)];
+        (is_ahead & is_near & self.passes_between(feet) & t.cmpgt(zero) & t.cmplt(t_max), t)
+    }
+
+    /// Returns which rays pass between three feet on them, by the areas of their triangles with each two of the feet.
+    #[inline(always)]
+    fn passes_between(&self, feet: [Vec3x4; 3]) -> BVec4A {
+        let [x, y, z] = self.direction.0.map(Vec4::abs);
+        let is_x = x.cmpge(y) & x.cmpge(z);
+        let is_z = !is_x & z.cmpge(y);
+        let [(a, b), (c, d), (e, f)] =
+            feet.map(|Vec3x4([x, y, z])| (Vec4::select(is_x, y, x), Vec4::select(is_z, y, z)));
+        let areas = [c * f - e * d, e * b - a * f, a * d - c * b];
+        let [left, right] = [|v: Vec4| v.cmpgt(Vec4::ZERO), |v: Vec4| v.cmplt(Vec4::ZERO)]
+            .map(|side| side(areas[0]) | side(areas[1]) | side(areas[2]));
+        left ^ right
     }
 }
 
@@ -73,13 +81,16 @@ impl SurfacePoint4 {
     /// Where rays meet triangles without normals at their vertices: four times [`Triangle::point`].
     #[inline(always)]
     pub(crate) fn on_triangles(triangles: [&Triangle<f32>; 4], rays: &Ray4) -> Self {
-        let corner = Vec3x4::new(triangles.map(|triangle| triangle.corner));
+        let vertex: [fn(&Triangle<f32>) -> Vec3; 3] =
+            [|t| t.vertices[0], |t| t.vertices[1], |t| t.vertices[2]];
+        let [corner, second, third] = vertex.map(|of| Vec3x4::new(triangles.map(of)));
         let normal = Vec3x4::new(triangles.map(|triangle| triangle.normal));
         let cosine = normal.dot(rays.direction);
-        let way = Way::new(corner - rays.origin, normal, cosine, rays.direction);
-        let place = way.place(rays.direction);
+        let vertices = [corner, second, third].map(|vertex| vertex - rays.origin);
+        let feet = Feet::new(vertices, normal, cosine, rays.direction);
+        let place = feet.place(rays.direction);
         // Back into the plane by what the roundings have left.
         let place = place - normal.scale(place.dot(normal));
-        Self { distance: way.along + way.way, point: corner + place, normal }
+        Self { distance: feet.along[0] + feet.way, point: corner + place, normal }
     }
 }

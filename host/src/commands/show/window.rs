@@ -2,34 +2,28 @@
 
 use core::sync::atomic::{AtomicBool, Ordering};
 use core::time::Duration;
-use std::sync::mpsc::{self, Sender};
+use std::io::{self, Write};
+use std::sync::mpsc;
 use std::time::Instant;
 
-use minifb::{InputCallback, Key, ScaleMode, Window, WindowOptions};
+use minifb::{MouseMode, ScaleMode, Window, WindowOptions};
 
 use crate::args::ShowArgs;
 use crate::commands::render::Work;
-use crate::commands::show::frame::{Frame, fit};
-use crate::commands::show::{Command, Show};
+use crate::commands::show::Show;
+use crate::commands::show::desktop::{self, Desktop};
+use crate::commands::show::frame::{Frame, Place};
+use crate::commands::show::keys::{Keyboard, Press};
+use crate::commands::show::note::Note;
+use crate::commands::show::overlay::{self, Overlay};
+use crate::commands::show::reload::Watch;
 use crate::engine::bands::BandsError;
 use crate::engine::interrupt;
 use crate::error::Error;
-use crate::picture::device::{Device, Target};
 use crate::picture::error::PictureError;
-use crate::picture::output;
+use crate::picture::output::{self, Inputs};
+use crate::picture::raster::Size;
 use crate::request::scene_file::SceneFile;
-
-/// The keys, for the terminal.
-pub const KEYS: &str = "\
-D         next device: vga, graphigs, pixrect
-M         next illumination model
-F         next number format
-T         next colour table: adaptive, tolerant, uniform
-+ -       more or fewer reflections (also up and down)
-R         trace again
-S         save what the device shows as a PNG in the current folder
-H  F1     these keys
-Esc  Q    leave";
 
 /// Frames a second.
 const RATE: usize = 60;
@@ -40,179 +34,235 @@ const BUDGET: Duration = Duration::from_millis(8);
 /// The window is drawn at least this often even if nothing has changed, since it may have been covered.
 const REFRESH: Duration = Duration::from_millis(100);
 
+/// Time for which the keys are told when the window opens, unless one is pressed.
+const WELCOME: Duration = Duration::from_secs(4);
+
+/// The room for the window where the size of the screen is not known.
+const ROOM: (usize, usize) = (1152, 900);
+
+/// A picture that is smaller is enlarged up to this size, and a larger one up to its own.
+const ENLARGED: (usize, usize) = (1152, 1024);
+
+/// The window is at least this large if the screen is, so that text can be read in it.
+const SMALLEST: (usize, usize) = (640, 480);
+
 /// Runs `rta show`.
 ///
 /// # Errors
 /// All of [`Error`] that concern a scene, a device or a file in the current folder.
 pub fn run(args: &ShowArgs) -> Result<(), Error> {
-    let target = Target::On(args.device);
-    args.tracing.request(target).raster()?;
-    let scene = match &args.scene {
-        Some(path) => SceneFile::open(path)?,
-        None => SceneFile::juggler()?,
-    };
-    let request = args.tracing.request_for(target, &scene)?;
+    args.tracing.request(args.device).raster()?;
+    let path = args.scene.as_deref();
+    let watch = path.map(Watch::new);
+    let scene = path.map_or_else(SceneFile::juggler, SceneFile::open)?;
+    let request = args.tracing.request_for(args.device, &scene)?;
+    let (size, aspect) = request.raster()?;
     let stop = interrupt::watch();
-    if let Some(window) = open(args.device) {
-        let show = Show::new(scene, args.device, request, args.tracing.threads)?;
-        return watch(window, show, stop);
-    }
+    let reason = match open(size, aspect) {
+        Ok(window) => {
+            let show = Show::new(scene, watch, request, args.tracing.threads)?;
+            return run_in(window, show, stop);
+        }
+        Err(reason) => reason,
+    };
     let work = Work::new(&request, &scene, args.tracing.threads, stop)?;
     let mut content = Vec::new();
     let stem = format!("rta-{}-{}", scene.title, args.device);
     let encoded = work.displayed()?.write_png(&request.caption(&scene), &mut content);
     encoded.map_err(|source| PictureError::write(stem.as_ref(), source))?;
     let name = output::write_new(&stem, &content)?;
-    say(&format!("rta: no display here, so the picture is in ./{}", name.display()))
+    say(&format!("rta: {reason}, so the picture is in ./{}", name.display()))
 }
 
-/// Opens a window for the screen of `device`; none if there is no display.
-fn open(device: Device) -> Option<Window> {
+/// Opens a window for a picture of `size` pixels on a screen of shape `aspect`, or says why there is none.
+fn open(size: Size, aspect: f64) -> Result<Window, String> {
     let named = |name| std::env::var_os(name).is_some_and(|value| !value.is_empty());
     let unix = cfg!(all(unix, not(target_os = "macos")));
     if unix && !named("DISPLAY") && !named("WAYLAND_DISPLAY") {
-        return None;
+        return Err("no display here (neither DISPLAY nor WAYLAND_DISPLAY is set)".into());
     }
-    // Mode 13h three times as wide; the large rasters as they are where most screens have room for them.
-    let (width, height) = match device {
-        Device::Vga => fit(device.aspect(), 960, 720),
-        Device::Graphigs | Device::Pixrect => fit(device.aspect(), 1152, 900),
-    };
+    let (width, height) = extent(size, aspect, desktop::screen());
     let options =
         WindowOptions { resize: true, scale_mode: ScaleMode::UpperLeft, ..WindowOptions::default() };
-    let mut window = Window::new("rta", width, height, options).ok()?;
+    let window = Window::new("rta", width, height, options);
+    let mut window = window.map_err(|error| format!("no window to be had ({error})"))?;
     window.set_target_fps(RATE);
-    Some(window)
+    Ok(window)
+}
+
+/// Returns width and height of the window for a picture: never larger than the screen.
+fn extent(size: Size, aspect: f64, screen: Option<(usize, usize)>) -> (usize, usize) {
+    // Title bar, borders and panels take up to a tenth of the screen.
+    let room = screen.map_or(ROOM, |(width, height)| (width - width / 10, height - height / 10));
+    let most = (ENLARGED.0.max(size.columns()), ENLARGED.1.max(size.height() as usize));
+    let place = Place::new(size, aspect, most.0.min(room.0), most.1.min(room.1));
+    (place.width.max(SMALLEST.0.min(room.0)), place.height.max(SMALLEST.1.min(room.1)))
 }
 
 /// Shows the picture until the window is closed.
-fn watch(mut window: Window, mut show: Show, stop: &AtomicBool) -> Result<(), Error> {
+fn run_in(mut window: Window, mut show: Show, stop: &AtomicBool) -> Result<(), Error> {
     let (sender, presses) = mpsc::channel();
     window.set_input_callback(Box::new(Keyboard(sender)));
-    let (mut title, mut drawn, mut stale) = (String::new(), Instant::now(), true);
-    let mut frame = Frame { width: 0, height: 0, pixels: Vec::new() };
+    let mut desktop = Desktop::of(&window);
+    let mut wishes = Wishes { help: true, palette: false, probe: true, welcome: Some(Instant::now()) };
+    let mut drawn = Drawn::default();
     while window.is_open() {
         if stop.load(Ordering::Relaxed) {
             return Err(BandsError::Interrupted.into());
         }
         for press in presses.try_iter() {
+            wishes.greeted(press);
             match press {
-                Press::Leave => return Ok(()),
-                Press::Help => say(KEYS)?,
-                Press::Do(command) => {
-                    if let Some(name) = show.obey(command) {
-                        say(&format!("saved {name}"))?;
-                    }
-                    stale = true;
+                Press::Do(command) => show.obey(command),
+                Press::Help => wishes.help = !wishes.help,
+                Press::Palette => wishes.palette = !wishes.palette,
+                Press::Probe => wishes.probe = !wishes.probe,
+                Press::FullScreen => {
+                    show.note(desktop.toggle_full_screen().err().map(|error| Note::error(error.to_string())));
+                }
+                Press::Leave => {
+                    drop(window);
+                    return leave(show, stop);
                 }
             }
+            drawn.is_stale = true;
         }
-        stale |= show.advance(BUDGET)?;
+        show.follow_file();
+        drawn.is_stale |= show.advance(BUDGET)?;
+        if let Some(news) = show.news() {
+            tell(&news)?;
+        }
+        let overlay = wishes.overlay(&window, &show);
+        drawn.draw(&mut window, &mut show, overlay)?;
+    }
+    drop(window);
+    leave(show, stop)
+}
+
+/// Waits for a picture that is to be saved, if there is one. The window is closed already.
+fn leave(mut show: Show, stop: &AtomicBool) -> Result<(), Error> {
+    if show.is_saving() {
+        tell(&Note::message("the picture is saved once it is complete; Ctrl-C leaves at once".into()))?;
+    }
+    while show.is_saving() {
+        if stop.load(Ordering::Relaxed) {
+            return Err(BandsError::Interrupted.into());
+        }
+        show.advance(BUDGET)?;
+        std::thread::sleep(BUDGET);
+    }
+    show.news().map_or(Ok(()), |news| tell(&news))
+}
+
+/// What the user wants to see over the picture.
+struct Wishes {
+    help: bool,
+    palette: bool,
+    probe: bool,
+    /// When the help came by itself.
+    welcome: Option<Instant>,
+}
+
+impl Wishes {
+    /// Any key but that of the help ends the help that came by itself.
+    fn greeted(&mut self, press: Press) {
+        if self.welcome.take().is_some() && press != Press::Help {
+            self.help = false;
+        }
+    }
+
+    /// Returns what is to be seen over the picture now.
+    fn overlay(&mut self, window: &Window, show: &Show) -> Overlay {
+        if self.welcome.is_some_and(|since| since.elapsed() > WELCOME) {
+            (self.welcome, self.help) = (None, false);
+        }
         let (width, height) = window.get_size();
-        stale |= (width, height) != (frame.width, frame.height);
-        if stale {
-            frame = Frame::new(&show.picture()?, width, height);
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "within the window")]
+        let place = window.get_mouse_pos(MouseMode::Discard).map(|(x, y)| (x as usize, y as usize));
+        let pixel = place.filter(|_| self.probe).and_then(|(x, y)| show.place(width, height).pixel(x, y));
+        Overlay { help: self.help, palette: self.palette, pixel, note: show.visible_note().map(String::from) }
+    }
+}
+
+/// What is in the window, and how long it took to draw it.
+#[derive(Default)]
+struct Drawn {
+    frame: Frame,
+    title: String,
+    overlay: Overlay,
+    /// Whether the picture has changed since.
+    is_stale: bool,
+    /// When the frame was drawn, and how long that took.
+    at: Option<Instant>,
+    cost: Duration,
+    /// When the window was given the frame.
+    given: Option<Instant>,
+}
+
+impl Drawn {
+    /// Draws the window anew where that is due. A picture that fills in is drawn so often that three quarters of the time are left
+    /// to the threads that trace it; what the user asks for is drawn at once.
+    fn draw(&mut self, window: &mut Window, show: &mut Show, overlay: Overlay) -> Result<(), Error> {
+        if self.title != show.title() {
+            self.title = show.title();
+            window.set_title(&self.title);
         }
-        if title != show.title() {
-            title = show.title();
-            window.set_title(&title);
+        let (width, height) = window.get_size();
+        let is_new = overlay != self.overlay || (width, height) != (self.frame.width, self.frame.height);
+        let since = |at: Option<Instant>| at.map_or(Duration::MAX, |at| at.elapsed());
+        let is_due = is_new || (self.is_stale && since(self.at) > 3 * self.cost);
+        if is_due {
+            let begin = Instant::now();
+            self.frame = overlay::draw(show, &overlay, width, height)?;
+            (self.overlay, self.is_stale) = (overlay, false);
+            (self.at, self.cost) = (Some(Instant::now()), begin.elapsed());
         }
-        let due = stale || drawn.elapsed() > REFRESH;
-        if due && width > 0 && height > 0 {
-            (stale, drawn) = (false, Instant::now());
+        if (is_due || since(self.given) > REFRESH) && width > 0 && height > 0 {
+            self.given = Some(Instant::now());
             // What a window refuses once it may take the next time; closing it ends the loop.
-            let _ = window.update_with_buffer(&frame.pixels, width, height);
+            let _ = window.update_with_buffer(&self.frame.pixels, width, height);
         } else {
             window.update();
         }
-    }
-    Ok(())
-}
-
-/// The meaning of a key.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Press {
-    Do(Command),
-    Help,
-    Leave,
-}
-
-impl Press {
-    /// Returns the meaning of a character, so that in every keyboard layout the key is the one that bears it.
-    fn of_char(typed: char) -> Option<Self> {
-        Some(match typed.to_ascii_lowercase() {
-            'd' => Self::Do(Command::Device),
-            'm' => Self::Do(Command::Model),
-            'f' => Self::Do(Command::Format),
-            't' => Self::Do(Command::Table),
-            // The key of + without the shift, on most keyboards.
-            '+' | '=' => Self::Do(Command::Deeper),
-            '-' => Self::Do(Command::Shallower),
-            'r' => Self::Do(Command::Restart),
-            's' => Self::Do(Command::Save),
-            'h' => Self::Help,
-            'q' => Self::Leave,
-            _ => return None,
-        })
-    }
-
-    /// Returns the meaning of a key that types no character.
-    const fn of_key(key: Key) -> Option<Self> {
-        match key {
-            Key::Up => Some(Self::Do(Command::Deeper)),
-            Key::Down => Some(Self::Do(Command::Shallower)),
-            Key::F1 => Some(Self::Help),
-            Key::Escape => Some(Self::Leave),
-            _ => None,
-        }
+        Ok(())
     }
 }
 
-/// Sends each key press as it happens. Asking once a frame which keys are down would miss the short ones.
-struct Keyboard(Sender<Press>);
-
-impl Keyboard {
-    fn send(&self, press: Option<Press>) {
-        // Without a receiver the window is closing.
-        let _ = press.map(|press| self.0.send(press));
+/// Tells a message on standard output, and an error on standard error.
+fn tell(note: &Note) -> Result<(), Error> {
+    if note.is_error() {
+        // If that is closed too there is nobody left to tell.
+        let _ = writeln!(io::stderr(), "rta: error: {}", note.text());
+        return Ok(());
     }
-}
-
-impl InputCallback for Keyboard {
-    fn add_char(&mut self, typed: u32) {
-        self.send(char::from_u32(typed).and_then(Press::of_char));
-    }
-
-    fn set_key_state(&mut self, key: Key, down: bool) {
-        if down {
-            self.send(Press::of_key(key));
-        }
-    }
+    say(note.text())
 }
 
 /// Writes a line to standard output.
 fn say(line: &str) -> Result<(), Error> {
-    Ok(output::print(&format!("{line}\n"))?)
+    Ok(output::print(&format!("{line}\n"), Inputs::NONE)?)
 }
 
 #[cfg(test)]
 mod tests {
-    use minifb::Key;
-
-    use super::{KEYS, Press};
+    use super::extent;
 
     #[test]
-    fn every_key_that_is_told_does_something() {
-        for line in KEYS.lines() {
-            let keys = line.get(..10).expect("a column of keys");
-            for key in keys.split_whitespace() {
-                let known = match key {
-                    "F1" => Press::of_key(Key::F1),
-                    "Esc" => Press::of_key(Key::Escape),
-                    key => key.chars().next().and_then(Press::of_char),
-                };
-                assert!(known.is_some(), "{key}");
-            }
+    fn windows_have_room_on_the_screen() {
+        for (size, aspect, screen, want) in [
+            ("320x200", 4.0 / 3.0, None, (960, 720)),
+            ("320x200", 4.0 / 3.0, Some((1280, 1000)), (960, 720)),
+            ("320x200", 4.0 / 3.0, Some((800, 600)), (640, 480)),
+            ("1152x900", 1.28, Some((1920, 1080)), (1152, 900)),
+            ("1024x1024", 1.0, Some((1280, 1000)), (900, 900)),
+            ("4000x3000", 4.0 / 3.0, Some((1280, 1000)), (1152, 864)),
+            ("4000x3000", 4.0 / 3.0, Some((3840, 2160)), (2592, 1944)),
+            ("8x8", 1.0, Some((1280, 1000)), (896, 896)),
+            ("1x100", 0.01, Some((1280, 1000)), (640, 900)),
+            ("8x8", 1.0, Some((320, 240)), (288, 216)),
+        ] {
+            let size = size.parse().expect("a size");
+            assert_eq!(extent(size, aspect, screen), want, "{size} on {screen:?}");
         }
     }
 }

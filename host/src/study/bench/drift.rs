@@ -11,7 +11,7 @@ use super::child::{self, Work};
 use crate::args::BenchArgs;
 use crate::engine::Format;
 use crate::engine::callgrind;
-use crate::picture::output;
+use crate::picture::output::{self, Inputs, Output};
 use crate::picture::raster::Size;
 use crate::study::error::StudyError;
 
@@ -138,7 +138,8 @@ fn drift(now: &[Entry], then: &[Entry]) -> Result<[Vec<String>; 2], String> {
 /// # Errors
 /// Those of counting the instructions and of writing the file.
 pub fn record(args: &BenchArgs, file: &Path, stop: &AtomicBool) -> Result<(), StudyError> {
-    Ok(output::write_text(file, &page(&count(args, stop)?))?)
+    let output = Output::open(file, Inputs::NONE)?;
+    Ok(output.write(page(&count(args, stop)?).as_bytes())?)
 }
 
 /// `rta bench --check`.
@@ -175,7 +176,7 @@ pub fn check(args: &BenchArgs, file: &Path, stop: &AtomicBool) -> Result<(), Stu
 }
 
 fn say(line: &str) -> Result<(), StudyError> {
-    Ok(output::write_text(Path::new("-"), &format!("{line}\n"))?)
+    Ok(output::print(&format!("{line}\n"), Inputs::NONE)?)
 }
 
 #[cfg(test)]

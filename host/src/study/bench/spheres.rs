@@ -2,6 +2,7 @@
 
 use rta_scenes::description::{Camera, Description, Sky, Sphere, Surface};
 
+use crate::picture::output::Inputs;
 use crate::request::scene_file::SceneFile;
 
 /// Numbers of spheres in the scenes.
@@ -48,7 +49,7 @@ pub fn scene(count: u32) -> SceneFile {
         raster: Some([SIDE; 2]),
         ..Description::empty(Camera::upright([0.0, -2.2, 0.0], [0.0, 1.0, 0.0], 1.0))
     };
-    SceneFile { source: name(count), title: name(count), description }
+    SceneFile { source: name(count), title: name(count), description, inputs: Inputs::default() }
 }
 
 /// Returns how the time of a ray grows from 1000 objects on: the exponent, which is the slope of the line through the points in

@@ -39,8 +39,17 @@ impl<S: Format> Scalar for Paired<S> {
             .noted("scale", [self.error(), factor.error()])
     }
     #[track_caller]
-    fn square(self) -> Self::Wide {
-        Paired { format: self.format.square(), twin: self.twin.square() }.noted("square", [self.error()])
+    fn product(self, other: Self) -> Self::Wide {
+        Paired { format: self.format.product(other.format), twin: self.twin * other.twin }
+            .noted("product", [self.error(), other.error()])
+    }
+    #[track_caller]
+    fn part(part: Self::Wide, whole: Self::Wide) -> Self::Unit {
+        Paired {
+            format: S::part(part.format, whole.format),
+            twin: <f64 as Scalar>::part(part.twin, whole.twin),
+        }
+        .noted("part", [part.error(), whole.error()])
     }
     #[track_caller]
     fn sqrt(square: Self::Wide) -> Self {
@@ -71,8 +80,9 @@ impl<S: Format> Scalar for Paired<S> {
         let twin = Scalar::padded(self.twin, distance.twin);
         Self { format: self.format.padded(distance.format), twin }.noted("padded", [self.error()])
     }
-    fn next_up(self) -> Self {
-        Self { format: Scalar::next_up(self.format), twin: self.twin.next_up() }
+    fn at_one_place(self, extent: Self, cosine: Self::Unit) -> Self {
+        let twin = self.twin.at_one_place(extent.twin, cosine.twin);
+        Self { format: self.format.at_one_place(extent.format, cosine.format), twin }
     }
     #[track_caller]
     fn odd_tile(self) -> bool {
@@ -113,6 +123,7 @@ impl<U: UnitFormat> Unit for Paired<U> {
     const ZERO: Self = Self { format: U::ZERO, twin: 0.0 };
     const ONE: Self = Self { format: U::ONE, twin: 1.0 };
     const LARGEST: Magnitude = U::LARGEST;
+    const ROUNDING: Self = Self { format: U::ROUNDING, twin: <f64 as Unit>::ROUNDING };
     fn size(self) -> Magnitude {
         Unit::size(self.format)
     }

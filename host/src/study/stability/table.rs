@@ -27,7 +27,11 @@ const HEADS: [&str; 12] = [
 /// Returns the cells after case and format.
 fn cells(measured: &Measured) -> [String; 10] {
     let count = |n: u64| if CHECKED || n > 0 { n.to_string() } else { "?".into() };
-    let levels = |error: f64| if error == 0.0 { "0".into() } else { format!("{error:.4}") };
+    let levels = |error: f64| match error {
+        0.0 => "0".into(),
+        error if error < 1e7 => format!("{error:.4}"),
+        error => format!("{error:.4e}"),
+    };
     [
         count(measured.panics),
         count(measured.overflows),

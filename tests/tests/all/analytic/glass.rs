@@ -25,6 +25,7 @@ fn refracted<S: Measure>(degrees: f64, ior: f64, inside: bool) -> Option<[f64; 3
     let surface = Surface {
         point: place::<S>(BLACK),
         normal: direction::<S>([0.0, 0.0, 1.0]),
+        face: None,
         incoming: direction::<S>([sine, 0.0, -cosine]),
         distance: S::length(1.0),
         inside,

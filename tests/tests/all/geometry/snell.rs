@@ -22,6 +22,7 @@ pub(super) fn check<S: Measure>(
     let surface = Surface {
         point: place::<S>([0.0; 3]),
         normal,
+        face: None,
         incoming,
         distance: S::ZERO,
         inside,

@@ -5,6 +5,8 @@ use rta_scenes::{dat, description::Description, shipped};
 use rta_tests::picture::{render, settings, share_within};
 use rta_tests::{oracle, random_scenes};
 
+mod nff;
+
 fn shipped_scenes() -> Vec<(&'static str, Description)> {
     shipped::ALL
         .iter()

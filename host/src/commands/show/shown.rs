@@ -1,0 +1,206 @@
+//! What is to be seen: the rows of the picture that are there, read back from the device, and below them the finest preview.
+
+use rta_core::color::Rgb;
+use rta_drivers::display::expand;
+
+use super::tracing::Part;
+use crate::error::Error;
+use crate::picture::error::PictureError;
+use crate::picture::file::{Displayed, Pixels};
+use crate::picture::raster::Size;
+use crate::picture::screen::Screen;
+use crate::request::Request;
+
+/// A preview: every pixel stands for a block of the picture's. It never reaches the device, whose colour table is made from the
+/// picture's own pixels, in their order.
+#[derive(Debug)]
+struct Preview {
+    size: Size,
+    colors: Vec<Rgb<u8>>,
+}
+
+/// The picture as far as it has been traced.
+#[derive(Debug)]
+pub struct Shown {
+    /// The device; none if every pixel keeps its own colour.
+    screen: Option<Screen>,
+    picture: Displayed,
+    gun_max: u8,
+    /// Rows of the picture that are there.
+    rows: u32,
+    /// From coarse to fine.
+    previews: Vec<Preview>,
+    /// Whether the device has rows that were not read back yet.
+    stale: bool,
+}
+
+impl Shown {
+    /// Switches the device of `request` on, with nothing on its screen.
+    ///
+    /// # Errors
+    /// Those of [`Request::raster`], [`PictureError::Display`] if the device does not start, and [`PictureError::Memory`].
+    pub fn new(request: &Request) -> Result<Self, Error> {
+        let (size, aspect) = request.raster()?;
+        let (screen, gun_max, pixels) = match request.target.device() {
+            Some(device) => {
+                let screen = Screen::new(device, request.table, size, aspect)?;
+                let nothing = Pixels::Indexed { palette: Vec::new(), indices: Vec::new() };
+                (Some(screen), device.capabilities().gun_max, nothing)
+            }
+            None => {
+                let mut pixels = Vec::new();
+                pixels.try_reserve_exact(size.pixels()).map_err(|_| PictureError::Memory(size))?;
+                (None, u8::MAX, Pixels::Direct(pixels))
+            }
+        };
+        let picture = Displayed { size, aspect, pixels };
+        let stale = screen.is_some();
+        Ok(Self { screen, picture, gun_max, rows: 0, previews: Vec::new(), stale })
+    }
+
+    /// Takes rows that have been traced.
+    ///
+    /// # Errors
+    /// [`PictureError::Display`] if the device refuses them.
+    pub fn put(&mut self, part: Part) -> Result<(), Error> {
+        let Part::Rows { size, first, levels } = part else { return Ok(()) };
+        if size != self.picture.size {
+            if first == 0 {
+                self.previews.push(Preview { size, colors: Vec::with_capacity(size.pixels()) });
+            }
+            let gun_max = self.gun_max;
+            let colors = levels.into_iter().map(|levels| levels.map(|level| expand(level, gun_max)));
+            self.previews.last_mut().into_iter().for_each(|preview| preview.colors.extend(colors.clone()));
+            return Ok(());
+        }
+        let count = levels.len() / size.columns();
+        match (&mut self.screen, &mut self.picture.pixels) {
+            (Some(screen), _) => screen.put_rows(first, &levels)?,
+            (None, Pixels::Direct(pixels)) => pixels.extend(levels),
+            (None, Pixels::Indexed { .. }) => {}
+        }
+        self.stale = self.screen.is_some();
+        self.rows = first + u32::try_from(count).unwrap_or(0);
+        if self.rows == size.height() {
+            self.previews.clear();
+        }
+        Ok(())
+    }
+
+    /// Reads back what is on the device's screen.
+    ///
+    /// # Errors
+    /// [`PictureError::Display`] if the device does not answer.
+    pub fn refresh(&mut self) -> Result<(), Error> {
+        if let (true, Some(screen)) = (self.stale, &mut self.screen) {
+            self.picture = screen.picture()?;
+            self.stale = false;
+        }
+        Ok(())
+    }
+
+    /// Returns the picture as it was read back last. Rows that are not there yet are black on a device, and missing without one.
+    #[must_use]
+    pub const fn picture(&self) -> &Displayed {
+        &self.picture
+    }
+
+    /// Returns how many rows of the picture are there.
+    #[must_use]
+    pub const fn rows(&self) -> u32 {
+        self.rows
+    }
+
+    /// Returns the colour in a column of a row: the picture's, else that of the finest preview that has it, else black.
+    #[must_use]
+    pub fn color(&self, x: usize, y: usize) -> Rgb<u8> {
+        let size = self.picture.size;
+        if y < self.rows as usize {
+            let at = y * size.columns() + x;
+            let color = match &self.picture.pixels {
+                Pixels::Direct(pixels) => pixels.get(at),
+                Pixels::Indexed { palette, indices } => {
+                    indices.get(at).and_then(|index| palette.get(usize::from(*index)))
+                }
+            };
+            return color.copied().unwrap_or_default();
+        }
+        let block = |preview: &Preview| {
+            let row = y * preview.size.height() as usize / (size.height() as usize).max(1);
+            let column = x * preview.size.columns() / size.columns().max(1);
+            preview.colors.get(row * preview.size.columns() + column).copied()
+        };
+        self.previews.iter().rev().find_map(block).unwrap_or_default()
+    }
+
+    /// Returns the index of a pixel into the colour table, where there are a table and the pixel.
+    #[must_use]
+    pub fn index(&self, x: u32, y: u32) -> Option<u8> {
+        match &self.picture.pixels {
+            Pixels::Indexed { indices, .. } if y < self.rows => {
+                indices.get(y as usize * self.picture.size.columns() + x as usize).copied()
+            }
+            _ => None,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use core::time::Duration;
+
+    use rta_core::color::Rgb;
+
+    use super::Shown;
+    use crate::args::ShowArgs;
+    use crate::commands::show::tracing::Part;
+    use crate::picture::device::{Device, Target};
+    use crate::picture::raster::Size;
+    use crate::request::Request;
+
+    fn shown(target: Target) -> Shown {
+        let request = ShowArgs::default().tracing.request(target);
+        let size = Some(Size::new(4, 4).expect("small"));
+        Shown::new(&Request { size, ..request }).expect("it starts")
+    }
+
+    fn rows(side: u32, first: u32, levels: &[u8]) -> Part {
+        let levels = levels.iter().map(|level| Rgb::new(*level, 0, 0)).collect();
+        Part::Rows { size: Size::new(side, side).expect("small"), first, levels }
+    }
+
+    #[test]
+    fn what_is_finer_hides_what_is_coarser_row_by_row() {
+        for (target, full, half) in [(Target::None, 255, 128), (Target::On(Device::Vga), 63, 32)] {
+            let mut shown = shown(target);
+            let red = |shown: &Shown| -> Vec<u8> { (0..4).map(|y| shown.color(0, y).r).collect() };
+            assert_eq!(red(&shown), [0; 4]);
+            let bright = |level: u8| {
+                if level == 0 {
+                    0
+                } else if level == full {
+                    255
+                } else {
+                    130
+                }
+            };
+            let near = |got: Vec<u8>, want: [u8; 4]| {
+                assert!(got.iter().zip(want).all(|(a, b)| a.abs_diff(b) <= 2), "{got:?} {want:?}");
+            };
+            shown.put(rows(1, 0, &[half])).expect("taken");
+            near(red(&shown), [bright(half); 4]);
+            shown.put(rows(2, 0, &[full, 0])).expect("taken");
+            near(red(&shown), [bright(full), bright(full), bright(half), bright(half)]);
+            shown.put(rows(4, 0, &[0; 4])).expect("taken");
+            shown.refresh().expect("it answers");
+            near(red(&shown), [0, bright(full), bright(half), bright(half)]);
+            assert_eq!((shown.rows(), shown.index(0, 1)), (1, None));
+            assert_eq!(shown.index(0, 0).is_some(), target != Target::None);
+            shown.put(rows(4, 1, &[full; 12])).expect("taken");
+            shown.put(Part::Complete(Duration::ZERO)).expect("taken");
+            shown.refresh().expect("it answers");
+            near(red(&shown), [0, 255, 255, 255]);
+            assert!(shown.previews.is_empty());
+        }
+    }
+}
