@@ -232,6 +232,10 @@ pub struct Sky {
     pub zenith: [f64; 3],
 }
 
+mod line;
+
+pub use line::OutOfRange;
+
 impl Description {
     /// Nothing, in the dark.
     #[must_use]

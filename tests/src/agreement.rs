@@ -111,8 +111,13 @@ impl Nff {
             rta_scenes::read(self.text.as_bytes(), &self.name).map_err(|error| error.to_string())?;
         let [width, height] = description.raster.ok_or("no size")?;
         let aspect = f64::from(width) / f64::from(height);
-        let scene = SceneFile { source: self.name.clone(), title: self.name.clone(), description };
-        let fit = Fit { format, aspect, model: Some(Model::Phong), asked: true };
+        let scene = SceneFile {
+            source: self.name.clone(),
+            title: self.name.clone(),
+            description,
+            inputs: Default::default(),
+        };
+        let fit = Fit { format, aspect, model: Some(Model::Phong), depth: DEPTH, asked: true };
         let settings = Settings {
             width,
             height,

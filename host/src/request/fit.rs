@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 use std::io::{self, Write};
 
-use rta_scenes::description::{self, Description};
+use rta_scenes::description::{self, Description, OutOfRange};
 use rta_scenes::fit::{Fitted, FloorError, fit, missing};
 
 use super::error::{Hint, PowerOfTwo, RequestError};
@@ -72,7 +72,9 @@ impl Fit {
     pub fn engine_error(&self, scene: &SceneFile, source: EngineError) -> RequestError {
         match source {
             EngineError::Narrow(error) => self.refused(scene, error.into()),
-            EngineError::Core(rta_core::Error::Range(error)) => self.refused(scene, error.into()),
+            EngineError::Core(rta_core::Error::Range(error)) => {
+                self.refused(scene, OutOfRange::new(error, &scene.description).into())
+            }
             EngineError::Core(_) => RequestError::Engine { name: scene.source.clone(), source },
         }
     }
