@@ -236,7 +236,9 @@ impl<'a, S: Scalar> Scene<'a, S> {
         let mut smallest: Option<(Magnitude, Object)> = None;
         self.solids(|object, _, radius, least| {
             if least > S::ZERO {
-                thinness.see(radius.size().over(least.size()), Some(object));
+                if radius > least {
+                    thinness.see(radius.size().over(least.size()), Some(object));
+                }
                 if smallest.is_none_or(|(size, _)| least.size() < size) {
                     smallest = Some((least.size(), object));
                 }

@@ -107,21 +107,34 @@ impl<'a, 's, S: Scalar, A: Accelerator<S>> Extent<'a, 's, S, A> {
         }
         let mut coordinate = Worst::NONE;
         let mut radius = Worst::NONE;
+        // The square of the distance from the centre and the radius of the one that is farthest away so far.
+        let mut farthest: Option<(S::Wide, S)> = None;
         let mut see = |object: Option<Object>, place: Vec3<S>, extent: S| {
-            let mut away = [Magnitude::ZERO; 3];
-            for ((away, c), center) in away.iter_mut().zip(axes::<S>(place)).zip(center) {
-                coordinate.see(c.size().plus(extent.size()), object);
-                *away = (quarter(c) - center).size().shift(2).plus(slack);
+            let place = axes::<S>(place);
+            let [x, y, z] = place.map(Scalar::size);
+            coordinate.see(x.max(y).max(z).plus(extent.size()), object);
+            let mut away = place.map(quarter);
+            for (away, center) in away.iter_mut().zip(center) {
+                *away = *away - center;
             }
-            if let (Some(Object::Cylinder(_)), [_, _, z]) = (object, &mut away) {
+            let [x, y, z] = away.map(Scalar::square);
+            let (apart, is_cylinder) = (x + y + z, matches!(object, Some(Object::Cylinder(_))));
+            // Most objects are neither as far away as another nor larger, and need no root.
+            if !is_cylinder && farthest.is_some_and(|(most, largest)| apart <= most && extent <= largest) {
+                return;
+            }
+            let mut away = away.map(|away| away.size().shift(2).plus(slack));
+            if let ([_, _, z], true) = (&mut away, is_cylinder) {
                 let [_, _, middle] = center;
                 *z = cylinder_end.plus(middle.size().shift(2));
                 coordinate.see(cylinder_end, object);
             }
-            // No more than twice the longest of the three, so that most objects need no root.
-            let [x, y, z] = away;
-            if x.max(y).max(z).shift(1).plus(extent.size()) > radius.0 {
-                radius.see(norm(away).plus(extent.size()), object);
+            let reach = norm(away).plus(extent.size());
+            if reach > radius.0 {
+                radius = Worst(reach, object);
+                if !is_cylinder {
+                    farthest = Some((apart, extent));
+                }
             }
         };
         see(None, self.eye, S::ZERO);

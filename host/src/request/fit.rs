@@ -36,7 +36,8 @@ impl Fit {
     #[must_use]
     pub fn scaled<'a>(&self, scene: &'a SceneFile) -> Cow<'a, Description> {
         if self.asked
-            && let Ok(Fitted::Scaled { factor, scene: scaled, .. }) = self.fitted(&scene.description)
+            && let Ok(Fitted::Scaled { factor, scene: scaled, .. }) =
+                self.fitted(&scene.description, self.admits(&scene.description))
         {
             tell(&format!("{} is scaled by {} to fit {}", scene.source, PowerOfTwo(factor), self.format));
             return Cow::Owned(*scaled);
@@ -48,7 +49,7 @@ impl Fit {
     pub fn advise(&self, scene: &SceneFile) {
         if !self.asked
             && missing(&scene.description, self.format) >= TOLD
-            && let Ok(Fitted::Scaled { factor, gain: Some(gain), .. }) = self.fitted(&scene.description)
+            && let Ok(Fitted::Scaled { factor, gain: Some(gain), .. }) = self.fitted(&scene.description, true)
             && gain >= TOLD
         {
             let (name, format) = (&scene.source, self.format);
@@ -84,20 +85,25 @@ impl Fit {
             // It was scaled, if that could help.
             (true, false) => Hint::NoScale,
             (true, true) => Hint::Floor,
-            (false, _) => match self.fitted(scene) {
+            (false, _) => match self.fitted(scene, false) {
                 Ok(Fitted::Scaled { factor, .. }) => Hint::Factor(factor),
                 _ => Hint::None,
             },
         }
     }
 
-    fn fitted(&self, scene: &Description) -> Result<Fitted, FloorError> {
+    /// `is_admitted` is whether the scene is admitted as it is.
+    fn fitted(&self, scene: &Description, is_admitted: bool) -> Result<Fitted, FloorError> {
         let model = match self.model.map(Model::is_attenuated) {
             None => scene.model,
             Some(true) => description::Model::Rta,
             Some(false) => description::Model::Phong,
         };
-        fit(scene, model, self.format, |scene| admits(scene, self.format, self.aspect, self.depth))
+        fit(scene, model, self.format, is_admitted, |scene| self.admits(scene))
+    }
+
+    fn admits(&self, scene: &Description) -> bool {
+        admits(scene, self.format, self.aspect, self.depth)
     }
 }
 
