@@ -33,7 +33,7 @@ mod extent;
 mod quantity;
 
 use extent::Extent;
-pub use quantity::{Bound, Quantity, RangeError};
+pub use quantity::{Bound, Cause, Quantity, RangeError, WithLines};
 
 /// A scene that was proved to fit its number format for one eye, and its accelerator.
 #[derive(Clone, Copy, Debug)]
@@ -98,7 +98,7 @@ fn strongest<U: Unit>(Rgb { r, g, b }: Rgb<U>) -> Magnitude {
 /// Returns the bound of the weight of a ray of this depth, of which each surface sends on no more than that part.
 fn weight<U: Unit>(Worst(part, object): Worst, depth: u8) -> Bound {
     let bound = (0..depth).fold(U::ONE.size(), |weight, _| weight.times(part));
-    Bound { quantity: Quantity::Weight(depth), bound, limit: U::LARGEST, object }
+    Bound { quantity: Quantity::Weight(depth), bound, limit: U::LARGEST, object, other: None }
 }
 
 /// Returns the greatest depth at which the weight of a ray is within its limit.
@@ -238,7 +238,9 @@ impl<'a, S: Scalar> Scene<'a, S> {
         let mut smallest: Option<(Magnitude, Object)> = None;
         self.solids(|object, _, radius, least| {
             if least > S::ZERO {
-                thinness.see(radius.size().over(least.size()), Some(object));
+                if radius > least {
+                    thinness.see(radius.size().over(least.size()), Some(object));
+                }
                 if smallest.is_none_or(|(size, _)| least.size() < size) {
                     smallest = Some((least.size(), object));
                 }
@@ -264,11 +266,12 @@ impl<'a, S: Scalar> Scene<'a, S> {
         let image = plane(Vector::x).max(plane(Vector::y)).max(plane(Vector::z));
 
         let unit = S::Unit::LARGEST;
-        let row = |quantity, Worst(bound, object), limit| Bound { quantity, bound, limit, object };
+        let row =
+            |quantity, Worst(bound, object), limit| Bound { quantity, bound, limit, object, other: None };
         let nobody = |bound| Worst(bound, distance.1);
         let bounds = [
             row(Quantity::Coordinate, coordinate, largest),
-            row(Quantity::Distance, distance, most),
+            Bound { other: extent.opposite(distance.1), ..row(Quantity::Distance, distance, most) },
             row(Quantity::Reach, nobody(farthest), largest),
             row(Quantity::CylinderEnd, seen_cylinders, largest),
             row(Quantity::Square, nobody(farthest.times(farthest)), S::LARGEST_SQUARE),

@@ -25,12 +25,11 @@ use core::fmt;
 use std::path::{Path, PathBuf};
 use std::{env, fs, io};
 
-use rta_core::range::RangeError;
-
 use crate::accelerator::bvh;
 use crate::description::Description;
 use crate::error::SceneError;
 pub use crate::format::Format;
+use crate::lines::OutOfRange;
 pub use crate::model::Model;
 use crate::narrow::{NarrowError, narrow};
 use crate::{in_format, read};
@@ -78,7 +77,7 @@ pub enum BakeError {
     /// A number of the scene does not fit the number format.
     Narrow(NarrowError),
     /// A ray of the scene may leave the number format.
-    Range(RangeError),
+    Range(OutOfRange),
 }
 
 impl fmt::Display for BakeError {
@@ -111,12 +110,6 @@ impl From<SceneError> for BakeError {
 impl From<NarrowError> for BakeError {
     fn from(error: NarrowError) -> Self {
         Self::Narrow(error)
-    }
-}
-
-impl From<RangeError> for BakeError {
-    fn from(error: RangeError) -> Self {
-        Self::Range(error)
     }
 }
 
@@ -169,9 +162,10 @@ fn source<S: Literal>(scene: &Description, name: &str, recipe: &Recipe) -> Resul
     let narrowed = narrow::<S>(scene, recipe.aspect)?;
     let hierarchy = bvh::build::<S>(scene);
     let limits = match hierarchy.bvh() {
-        Some(bvh) => narrowed.scene().admit_with(&narrowed.camera, bvh)?.limits,
-        None => narrowed.scene().admit(&narrowed.camera)?.limits,
+        Some(bvh) => narrowed.scene().admit_with(&narrowed.camera, bvh).map(|admitted| admitted.limits),
+        None => narrowed.scene().admit(&narrowed.camera).map(|admitted| admitted.limits),
     };
+    let limits = limits.map_err(|error| BakeError::Range(OutOfRange::new(error, scene)))?;
     let used = recipe.model.used(&narrowed.scene());
     let mut source = String::new();
     // A String takes all that is written to it.

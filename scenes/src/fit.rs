@@ -104,6 +104,7 @@ pub enum Fitted {
 
 /// Returns what a scale does for a scene in a number format, whose lamps are attenuated if the model is [`Model::Rta`]. A format
 /// of floating-point numbers has as many digits at each scale: there a scene is scaled only if it is not admitted as it is.
+/// `is_admitted` is whether it is, and `admits` tells that of others.
 ///
 /// # Errors
 /// [`FloorError`], unless it is admitted as it is.
@@ -111,9 +112,9 @@ pub fn fit(
     scene: &Description,
     model: Model,
     format: Format,
+    is_admitted: bool,
     admits: impl Fn(&Description) -> bool,
 ) -> Result<Fitted, FloorError> {
-    let is_admitted = admits(scene);
     let missing = missing(scene, format);
     if is_admitted && missing <= 0.0 {
         return Ok(Fitted::AsItIs);

@@ -42,6 +42,7 @@ pub mod warning;
 
 pub use bake::bake;
 pub use format::Format;
+pub use lines::OutOfRange;
 pub use model::Model;
 pub use numbers::Short;
 pub use reading::Reading;

@@ -1,5 +1,8 @@
-//! Where in its source the things of a scene begin.
+//! Where in its source the things of a scene begin, and errors that tell it.
 
+use core::fmt;
+
+use rta_core::range::RangeError;
 use rta_core::scene::Object;
 
 use crate::description::Description;
@@ -38,3 +41,30 @@ impl Description {
         self
     }
 }
+
+/// An error of the range proof, with the lines of its objects.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct OutOfRange {
+    /// The error.
+    pub error: RangeError,
+    lines: [Option<u32>; 2],
+}
+
+impl OutOfRange {
+    /// Adds to an error about a scene the lines where its objects begin.
+    #[must_use]
+    pub fn new(error: RangeError, scene: &Description) -> Self {
+        let line = |object: Option<Object>| object.and_then(|object| scene.line_of(object));
+        Self { error, lines: error.objects().map(line) }
+    }
+}
+
+impl fmt::Display for OutOfRange {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let known = || self.error.objects().into_iter().zip(self.lines);
+        let line = |wanted| known().find(|(object, _)| *object == Some(wanted)).and_then(|(_, line)| line);
+        self.error.with_lines(line).fmt(f)
+    }
+}
+
+impl core::error::Error for OutOfRange {}

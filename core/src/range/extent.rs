@@ -1,6 +1,6 @@
 //! The extent of a scene: its box, the ball about the box's centre, and the greatest distance between two places.
 
-use super::Worst;
+use super::{Cause, Worst};
 use crate::accelerator::Accelerator;
 use crate::camera::Camera;
 use crate::scalar::vector::{Vec3, Vector};
@@ -14,6 +14,8 @@ pub(super) struct Extent<'a, 's, S: Scalar, A> {
     accelerator: &'a A,
     low: [S; 3],
     high: [S; 3],
+    /// What is at each end of the box along x, y and z; `None` for the eye.
+    ends: [[Option<Object>; 2]; 3],
 }
 
 /// Returns a quarter of a length.
@@ -39,20 +41,38 @@ fn norm(sizes: [Magnitude; 3]) -> Magnitude {
 impl<'a, 's, S: Scalar, A: Accelerator<S>> Extent<'a, 's, S, A> {
     pub(super) fn of(scene: &'a Scene<'s, S>, camera: &Camera<S>, accelerator: &'a A) -> Self {
         let eye = axes::<S>(camera.eye).map(quarter);
-        let mut extent = Self { scene, eye: camera.eye, accelerator, low: eye, high: eye };
-        scene.solids(|_, place, radius, _| extent.hold(place, radius));
+        let mut extent =
+            Self { scene, eye: camera.eye, accelerator, low: eye, high: eye, ends: [[None; 2]; 3] };
+        scene.solids(|object, place, radius, _| extent.hold(place, radius, Some(object)));
         // Distances from rays to the centres of nodes are computed too.
-        accelerator.places(|center| extent.hold(center, S::ZERO));
+        accelerator.places(|center| extent.hold(center, S::ZERO, None));
         extent
     }
 
-    fn hold(&mut self, place: Vec3<S>, radius: S) {
+    fn hold(&mut self, place: Vec3<S>, radius: S, object: Option<Object>) {
         let radius = quarter(radius);
-        let sides = self.low.iter_mut().zip(&mut self.high);
-        for ((low, high), c) in sides.zip(axes::<S>(place).map(quarter)) {
-            *low = if c - radius < *low { c - radius } else { *low };
-            *high = if c + radius > *high { c + radius } else { *high };
+        let sides = self.low.iter_mut().zip(&mut self.high).zip(&mut self.ends);
+        for (((low, high), [lowest, highest]), c) in sides.zip(axes::<S>(place).map(quarter)) {
+            if c - radius < *low {
+                (*low, *lowest) = (c - radius, object);
+            }
+            if c + radius > *high {
+                (*high, *highest) = (c + radius, object);
+            }
         }
+    }
+
+    /// Returns what is at the other end of the scene along its longest side from an object, or from the eye; nothing where that is
+    /// at both ends.
+    pub(super) fn opposite(&self, object: Option<Object>) -> Option<Cause> {
+        let mut longest = (S::ZERO, [None; 2]);
+        for ((low, high), ends) in self.low.iter().zip(self.high).zip(self.ends) {
+            if high - *low > longest.0 {
+                longest = (high - *low, ends);
+            }
+        }
+        let other = longest.1.into_iter().find(|end| *end != object)?;
+        Some(other.map_or(Cause::Eye, Cause::Object))
     }
 
     /// Returns the height at which cylinders end: the highest power of two, up to a quarter of the format, with which no
@@ -73,7 +93,7 @@ impl<'a, 's, S: Scalar, A: Accelerator<S>> Extent<'a, 's, S, A> {
     pub(super) fn bounds(&self, cylinder_end: Magnitude) -> (Worst, Worst) {
         let has_cylinders = !self.scene.cylinders.is_empty();
         // Quarters are rounded: four LSBs of the format, twice.
-        let slack = S::CLEARANCE.shift(2);
+        let (rounding, slack) = (S::at_most(S::CLEARANCE), S::CLEARANCE.shift(2));
         let mut sides = [Magnitude::ZERO; 3];
         for (side, (low, high)) in sides.iter_mut().zip(self.low.iter().zip(self.high)) {
             *side = (high - *low).size().shift(2).plus(slack);
@@ -87,18 +107,37 @@ impl<'a, 's, S: Scalar, A: Accelerator<S>> Extent<'a, 's, S, A> {
         }
         let mut coordinate = Worst::NONE;
         let mut radius = Worst::NONE;
+        // The square of the distance from the centre and the radius of the one that is farthest away so far.
+        let mut farthest: Option<(S::Wide, S)> = None;
         let mut see = |object: Option<Object>, place: Vec3<S>, extent: S| {
-            let mut away = [Magnitude::ZERO; 3];
-            for ((away, c), center) in away.iter_mut().zip(axes::<S>(place)).zip(center) {
-                coordinate.see(c.size().plus(extent.size()), object);
-                *away = (quarter(c) - center).size().shift(2).plus(slack);
+            let place = axes::<S>(place);
+            let [x, y, z] = place.map(Scalar::size);
+            coordinate.see(x.max(y).max(z).plus(extent.size()), object);
+            let mut away = place.map(quarter);
+            for (away, center) in away.iter_mut().zip(center) {
+                let difference = *away - center;
+                let size = if difference < S::ZERO { -difference } else { difference };
+                *away = size + rounding;
             }
-            if let (Some(Object::Cylinder(_)), [_, _, z]) = (object, &mut away) {
+            let [x, y, z] = away.map(Scalar::square);
+            let (apart, is_cylinder) = (x + y + z, matches!(object, Some(Object::Cylinder(_))));
+            // Most objects are neither as far away as another nor larger, and need no root.
+            if !is_cylinder && farthest.is_some_and(|(most, largest)| apart <= most && extent <= largest) {
+                return;
+            }
+            let mut away = away.map(|away| away.size().shift(2));
+            if let ([_, _, z], true) = (&mut away, is_cylinder) {
                 let [_, _, middle] = center;
                 *z = cylinder_end.plus(middle.size().shift(2));
                 coordinate.see(cylinder_end, object);
             }
-            radius.see(norm(away).plus(extent.size()), object);
+            let reach = norm(away).plus(extent.size());
+            if reach > radius.0 {
+                radius = Worst(reach, object);
+                if !is_cylinder {
+                    farthest = Some((apart, extent));
+                }
+            }
         };
         see(None, self.eye, S::ZERO);
         self.scene.solids(|object, place, radius, _| see(Some(object), place, radius));

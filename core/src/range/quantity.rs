@@ -68,6 +68,17 @@ pub struct Bound {
     pub limit: Magnitude,
     /// The object that causes the bound; `None` for the eye, or where no object does.
     pub object: Option<Object>,
+    /// Of a distance between two places, what is at its other end, where that is something else.
+    pub other: Option<Cause>,
+}
+
+/// What is at an end of a distance.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Cause {
+    /// The eye.
+    Eye,
+    /// An object.
+    Object(Object),
 }
 
 impl Bound {
@@ -99,39 +110,80 @@ pub enum RangeError {
     Hierarchy(usize),
 }
 
-/// Writes the object of an error message; `None` is the observer.
-struct Named(Option<Object>);
+impl RangeError {
+    /// Returns the objects that cause the error: none, one, or two that are too far apart.
+    pub fn objects(&self) -> [Option<Object>; 2] {
+        match *self {
+            Self::Exceeds(Bound { object, other: Some(Cause::Object(other)), .. }) => [object, Some(other)],
+            Self::Exceeds(Bound { object, .. }) => [object, None],
+            Self::Radius(object) | Self::Color(object) => [Some(object), None],
+            Self::Hierarchy(_) => [None; 2],
+        }
+    }
 
-impl fmt::Display for Named {
+    /// Returns the error as a text that tells the lines of its objects in a scene file, where `line` knows them.
+    pub const fn with_lines<F: Fn(Object) -> Option<u32>>(self, line: F) -> WithLines<F> {
+        WithLines { error: self, line }
+    }
+}
+
+/// An error that prints the lines of its objects: see [`RangeError::with_lines`].
+#[derive(Clone, Copy, Debug)]
+pub struct WithLines<F> {
+    error: RangeError,
+    line: F,
+}
+
+impl<F: Fn(Object) -> Option<u32>> WithLines<F> {
+    /// Writes the name of an object; `None` is the observer.
+    fn name(&self, f: &mut fmt::Formatter<'_>, object: Option<Object>) -> fmt::Result {
+        match object {
+            None => f.write_str("the observer"),
+            Some(Object::Floor) => f.write_str("the floor"),
+            Some(object) => {
+                fmt::Display::fmt(&object, f)?;
+                (self.line)(object).map_or(Ok(()), |line| write!(f, " (line {line})"))
+            }
+        }
+    }
+}
+
+impl<F: Fn(Object) -> Option<u32>> fmt::Display for WithLines<F> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self.0 {
-            None => write!(f, "the observer"),
-            Some(Object::Floor) => write!(f, "the floor"),
-            Some(object) => object.fmt(f),
+        match self.error {
+            RangeError::Exceeds(Bound { quantity, bound, limit, object, other }) => {
+                self.name(f, object)?;
+                let are = match other {
+                    None => "is",
+                    Some(other) => {
+                        f.write_str(" and ")?;
+                        self.name(f, if let Cause::Object(other) = other { Some(other) } else { None })?;
+                        "are"
+                    }
+                };
+                write!(
+                    f,
+                    " {are} out of the number format's range: {quantity} {bound}, beyond the largest {limit}"
+                )
+            }
+            RangeError::Radius(object) => {
+                self.name(f, Some(object))?;
+                f.write_str(" has a radius that is not above 0 in the number format")
+            }
+            RangeError::Hierarchy(node) => {
+                write!(f, "node {node} of the hierarchy does not contain its objects, or leads nowhere")
+            }
+            RangeError::Color(object) => {
+                self.name(f, Some(object))?;
+                f.write_str(" has a colour with a negative register")
+            }
         }
     }
 }
 
 impl fmt::Display for RangeError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Exceeds(Bound { quantity, bound, limit, object }) => {
-                let object = Named(*object);
-                write!(
-                    f,
-                    "{object} is out of the number format's range: {quantity} {bound}, beyond the largest {limit}"
-                )
-            }
-            Self::Radius(object) => {
-                write!(f, "{} has a radius that is not above 0 in the number format", Named(Some(*object)))
-            }
-            Self::Hierarchy(node) => {
-                write!(f, "node {node} of the hierarchy does not contain its objects, or leads nowhere")
-            }
-            Self::Color(object) => {
-                write!(f, "{} has a colour with a negative register", Named(Some(*object)))
-            }
-        }
+        fmt::Display::fmt(&self.with_lines(|_| None), f)
     }
 }
 

@@ -1,6 +1,7 @@
 //! Builds the lists of [`Packets`] from a scene's description.
 
 mod four;
+mod hidden;
 mod light_buffer;
 mod window;
 
@@ -34,6 +35,9 @@ impl Packets {
     #[must_use]
     pub fn build<S: Narrow + ToF32>(scene: &Description) -> Self {
         let mut solids = solids(scene);
+        if solids.len() > FEW {
+            hidden::leave_out(scene, &mut solids);
+        }
         let mut objects = solids.len();
         let lamps = scene.lamps.iter().zip(0..).filter(|(lamp, _)| lamp.radius > 0.0);
         solids.extend(lamps.map(|(lamp, i)| Solid::sphere(lamp.position, lamp.radius, Object::Lamp(i))));

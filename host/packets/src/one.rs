@@ -19,9 +19,12 @@ use crate::packets::Packets;
 use crate::query::{Query, Traversal, TraversalStack};
 use crate::rays::Mask;
 
-/// The transparent objects on the way of a shadow ray. Where they are as many as there is room for, the objects are gone
-/// through in the order of their lists.
-pub(crate) type Filters<S> = accelerator::Filters<S, 32>;
+/// The number of transparent objects on the way of a shadow ray from which on all objects are gone through in the order of their
+/// lists.
+pub(crate) const MOST_FILTERS: usize = 32;
+
+/// The transparent objects on the way of a shadow ray.
+pub(crate) type Filters<S> = accelerator::Filters<S, MOST_FILTERS>;
 
 impl<S: ToF32> Accelerator<S> for &Packets {
     type Memory = ShadowCache;

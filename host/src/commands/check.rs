@@ -1,6 +1,6 @@
 //! `rta check`: the proof that a scene fits a number format, or why it does not.
 
-use rta_core::range::Bound;
+use rta_core::range::{Bound, Cause};
 use rta_core::scalar::Magnitude;
 use rta_core::scene::Object;
 
@@ -70,7 +70,12 @@ fn table(title: &str, format: Format, rows: &[Bound]) -> String {
             _ => "all".into(),
         };
         let mark = if row.holds() { ' ' } else { '!' };
-        let (name, by) = (row.quantity.to_string(), object(row.object));
+        let other = match row.other {
+            Some(Cause::Object(other)) => format!(", {other}"),
+            Some(Cause::Eye) => ", the observer".into(),
+            None => String::new(),
+        };
+        let (name, by) = (row.quantity.to_string(), object(row.object) + &other);
         lines.push(format!(
             "{name:32} {:>12} {:>12} {headroom:>11}{mark} {by}",
             digits(bound),

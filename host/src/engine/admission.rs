@@ -1,7 +1,7 @@
 //! Whether a number format admits a scene: the range proof in a format that is chosen when the program runs.
 
-use rta_core::range::{Bound, RangeError};
-use rta_core::scene::Object;
+use rta_core::range::Bound;
+use rta_scenes::OutOfRange;
 use rta_scenes::description::Description;
 use rta_scenes::in_format;
 use rta_scenes::narrow::{Narrow, NarrowError, narrow};
@@ -29,20 +29,7 @@ pub enum Refusal {
     Narrow(#[from] NarrowError),
     /// A quantity that the tracer computes may not fit the format.
     #[error(transparent)]
-    Range(#[from] RangeError),
-}
-
-impl Refusal {
-    /// Returns the object that causes a quantity of the tracer to exceed its limit, if one does. An error about a number of the
-    /// scene names its own.
-    #[must_use]
-    pub const fn object(&self) -> Option<Object> {
-        match self {
-            Self::Range(RangeError::Exceeds(Bound { object, .. })) => *object,
-            Self::Range(RangeError::Radius(object) | RangeError::Color(object)) => Some(*object),
-            _ => None,
-        }
-    }
+    Range(#[from] OutOfRange),
 }
 
 /// Returns the range proof of a scene in `format`, for a screen of the shape `aspect : 1`.
@@ -55,7 +42,10 @@ fn prove<S: Narrow>(scene: &Description, aspect: f64) -> Verdict {
         Err(error) => Verdict { rows: Vec::new(), refused: Some(error.into()) },
         Ok(narrowed) => {
             let proof = narrowed.scene().prove(&narrowed.camera);
-            Verdict { rows: proof.bounds.to_vec(), refused: proof.refused.map(Refusal::from) }
+            Verdict {
+                rows: proof.bounds.to_vec(),
+                refused: proof.refused.map(|error| OutOfRange::new(error, scene).into()),
+            }
         }
     }
 }
@@ -108,7 +98,7 @@ mod tests {
         scene.lamps.iter_mut().for_each(|lamp| lamp.position = [0.0, 1500.0, 900.0]);
         let refusal = verdict(&scene, Format::Q20, 1.0).refused.expect("it is too wide").to_string();
         assert!(
-            refusal.starts_with("lamp 1 is out of the number format's range: distance between two places 17"),
+            refusal.starts_with("lamp 1 (line 11) and the observer are out of the number format's range: distance between two places 17"),
             "{refusal}"
         );
         assert!(refusal.ends_with("beyond the largest 1536"), "{refusal}");

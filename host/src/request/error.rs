@@ -35,7 +35,7 @@ pub enum RequestError {
         source: EngineError,
     },
     /// The number format does not admit the scene.
-    #[error("{name} does not fit {format}: {reason}{}{}{fit}", beginning(*line), fitting(others))]
+    #[error("{name} does not fit {format}: {reason}{}{fit}", fitting(others))]
     Refused {
         /// Name of the scene.
         name: String,
@@ -43,8 +43,6 @@ pub enum RequestError {
         format: Format,
         /// Why not.
         reason: Box<Refusal>,
-        /// The line where the object begins that causes it, if its reason does not say it.
-        line: Option<u32>,
         /// The formats that do admit it.
         others: Vec<Format>,
         /// What scaling it could do.
@@ -110,11 +108,6 @@ impl fmt::Display for PowerOfTwo {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if (1e-6..1e9).contains(&self.0) { self.0.fmt(f) } else { write!(f, "2^{}", self.0.log2()) }
     }
-}
-
-/// Names the line where an object begins, as part of an error message.
-fn beginning(line: Option<u32>) -> String {
-    line.map_or_else(String::new, |line| format!(" (it begins in line {line})"))
 }
 
 /// Names the option that reads past an unknown line, as part of an error message.

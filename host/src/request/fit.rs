@@ -3,6 +3,7 @@
 use std::borrow::Cow;
 use std::io::{self, Write};
 
+use rta_scenes::OutOfRange;
 use rta_scenes::description::{self, Description};
 use rta_scenes::fit::{Fitted, FloorError, fit, missing};
 
@@ -36,7 +37,8 @@ impl Fit {
     #[must_use]
     pub fn scaled<'a>(&self, scene: &'a SceneFile) -> Cow<'a, Description> {
         if self.asked
-            && let Ok(Fitted::Scaled { factor, scene: scaled, .. }) = self.fitted(&scene.description)
+            && let Ok(Fitted::Scaled { factor, scene: scaled, .. }) =
+                self.fitted(&scene.description, self.admits(&scene.description))
         {
             tell(&format!("{} is scaled by {} to fit {}", scene.source, PowerOfTwo(factor), self.format));
             return Cow::Owned(*scaled);
@@ -48,7 +50,7 @@ impl Fit {
     pub fn advise(&self, scene: &SceneFile) {
         if !self.asked
             && missing(&scene.description, self.format) >= TOLD
-            && let Ok(Fitted::Scaled { factor, gain: Some(gain), .. }) = self.fitted(&scene.description)
+            && let Ok(Fitted::Scaled { factor, gain: Some(gain), .. }) = self.fitted(&scene.description, true)
             && gain >= TOLD
         {
             let (name, format) = (&scene.source, self.format);
@@ -64,8 +66,7 @@ impl Fit {
     pub fn refused(&self, scene: &SceneFile, reason: Refusal) -> RequestError {
         let others = alternatives(&scene.description, self.format, self.aspect, self.depth);
         let (name, fit) = (scene.source.clone(), self.hint(&scene.description));
-        let line = reason.object().and_then(|object| scene.description.line_of(object));
-        RequestError::Refused { name, format: self.format, reason: Box::new(reason), line, others, fit }
+        RequestError::Refused { name, format: self.format, reason: Box::new(reason), others, fit }
     }
 
     /// Returns the error about a scene that could not be made ready to be traced.
@@ -73,7 +74,9 @@ impl Fit {
     pub fn engine_error(&self, scene: &SceneFile, source: EngineError) -> RequestError {
         match source {
             EngineError::Narrow(error) => self.refused(scene, error.into()),
-            EngineError::Core(rta_core::Error::Range(error)) => self.refused(scene, error.into()),
+            EngineError::Core(rta_core::Error::Range(error)) => {
+                self.refused(scene, OutOfRange::new(error, &scene.description).into())
+            }
             EngineError::Core(_) => RequestError::Engine { name: scene.source.clone(), source },
         }
     }
@@ -83,20 +86,25 @@ impl Fit {
             // It was scaled, if that could help.
             (true, false) => Hint::NoScale,
             (true, true) => Hint::Floor,
-            (false, _) => match self.fitted(scene) {
+            (false, _) => match self.fitted(scene, false) {
                 Ok(Fitted::Scaled { factor, .. }) => Hint::Factor(factor),
                 _ => Hint::None,
             },
         }
     }
 
-    fn fitted(&self, scene: &Description) -> Result<Fitted, FloorError> {
+    /// `is_admitted` is whether the scene is admitted as it is.
+    fn fitted(&self, scene: &Description, is_admitted: bool) -> Result<Fitted, FloorError> {
         let model = match self.model.map(Model::is_attenuated) {
             None => scene.model,
             Some(true) => description::Model::Rta,
             Some(false) => description::Model::Phong,
         };
-        fit(scene, model, self.format, |scene| admits(scene, self.format, self.aspect, self.depth))
+        fit(scene, model, self.format, is_admitted, |scene| self.admits(scene))
+    }
+
+    fn admits(&self, scene: &Description) -> bool {
+        admits(scene, self.format, self.aspect, self.depth)
     }
 }
 

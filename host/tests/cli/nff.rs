@@ -266,7 +266,7 @@ fn large_files_are_read_and_refusals_name_lines() {
     let refused = folder.rta(&["check", "far.nff", "--format", "q16"]);
     let message = String::from_utf8(refused.stderr).unwrap();
     assert!(
-        message.contains("distance between two places") && message.contains("(it begins in line "),
+        message.contains("sphere 2 (line 6) and ") && message.contains("distance between two places"),
         "{message}"
     );
 }

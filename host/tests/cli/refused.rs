@@ -121,3 +121,29 @@ fn what_was_there_stays_after_an_error() {
     assert!(fs::read(folder.path("out.png")).unwrap().starts_with(b"\x89PNG"));
     assert_eq!(folder.names(), ["bad.dat", "out.png", "scene.dat"]);
 }
+
+#[test]
+fn a_refusal_names_lines_and_both_ends_of_a_distance() {
+    let folder = Folder::new();
+    let far = spoilt("2   0 0 1", "2   900 0 1").replace("2 1 1   0 1 1", "-900 1 1   0 1 1");
+    folder.scene("far.dat", &far);
+    let table = String::from_utf8(folder.rta(&["check", "far.dat", "--format", "q20"]).stdout).unwrap();
+    assert!(table.contains("! sphere 2, sphere 1\n"), "{table}");
+    folder.scene("far.dat", far.replace("900", "30000"));
+    let message = folder.rta(&["check", "far.dat", "--format", "q16"]).stderr;
+    let message = String::from_utf8(message).unwrap();
+    let words = "sphere 2 (line 5) and sphere 1 (line 4) are out of the number format's range: distance between two places 600";
+    assert!(message.contains(words), "{message}");
+    let render = ["render", "far.dat", "-o", "x.png", "--format", "q16"];
+    folder.refuses(&render, &[words, "does not fit q16", "; it fits f32, f64"]);
+    // A sphere that is too large by itself is one thing.
+    let view = "v from 0 -4 1 at 0 0 0 up 0 0 1 angle 40 hither 1 resolution 8 6\n";
+    folder.scene("large.nff", format!("{view}l 0 -3 2\nf 1 1 1 1 0 1 0 1\ns 0 0 0 20000\n"));
+    folder.refuses(
+        &["render", "large.nff", "-o", "x.png", "--format", "q16"],
+        &["sphere 1 (line 4) is out of"],
+    );
+    folder.scene("deep.dat", spoilt("1 1 1   1   2", "1.1 1 1   1   2"));
+    let deep = ["render", "deep.dat", "-o", "x.png", "--format", "q16", "--depth", "8"];
+    folder.refuses(&deep, &["sphere 1 (line 4)", "weight of a ray at depth 8 2.14", "; it fits f32, f64"]);
+}

@@ -62,7 +62,8 @@ fn admits(scene: &Description, format: Format) -> bool {
 /// Returns the factor by which a scene is scaled, 1 where it is best as it is and none where no scale helps, and the bits that are
 /// gained. Sees that the scene is scaled by it, that it is admitted and, where it is scaled, that none is that is twice as large.
 fn factor(scene: &Description, format: Format) -> (Option<f64>, Option<f64>) {
-    let fitted = fit(scene, scene.model, format, |scene| admits(scene, format)).expect("it has no floor");
+    let fitted = fit(scene, scene.model, format, admits(scene, format), |scene| admits(scene, format))
+        .expect("it has no floor");
     let (factor, gain) = match fitted {
         Fitted::AsItIs => return (Some(1.0), None),
         Fitted::Never => return (None, None),
@@ -129,7 +130,7 @@ fn few_proofs_tell_that_no_scale_helps() {
         calls.set(calls.get() + 1);
         false
     };
-    assert_eq!(fit(&scene(Model::Phong), Model::Phong, Format::Q16, admits), Ok(Fitted::Never));
+    assert_eq!(fit(&scene(Model::Phong), Model::Phong, Format::Q16, false, admits), Ok(Fitted::Never));
     assert!((2..10).contains(&calls.get()), "{} proofs", calls.get());
 }
 
@@ -145,7 +146,7 @@ fn no_scale_helps_a_color() {
 #[test]
 fn a_floor_cannot_be_scaled() {
     let scene = read(shipped::GLASS_2.as_bytes(), "glass-2.dat").expect("it ships");
-    assert_eq!(fit(&scene, scene.model, Format::Q16, |_| true), Ok(Fitted::AsItIs));
-    assert_eq!(fit(&scene, scene.model, Format::Q16, |_| false), Err(FloorError));
+    assert_eq!(fit(&scene, scene.model, Format::Q16, true, |_| false), Ok(Fitted::AsItIs));
+    assert_eq!(fit(&scene, scene.model, Format::Q16, false, |_| true), Err(FloorError));
     assert_eq!(scene.scaled(0.5), Err(FloorError));
 }

@@ -26,7 +26,8 @@ fn share(scene: &Description, truth: &Description, format: Format, tolerance: f6
 }
 
 fn fitted(scene: &Description, format: Format) -> (f64, Description, Option<f64>) {
-    match fit(scene, scene.model, format, |scene| admits(scene, format, ASPECT, 5)) {
+    let admits = |scene: &Description| admits(scene, format, ASPECT, 5);
+    match fit(scene, scene.model, format, admits(scene), admits) {
         Ok(Fitted::Scaled { factor, scene, gain }) => (factor, *scene, gain),
         other => panic!("{format}: {other:?}"),
     }

@@ -78,7 +78,7 @@ fn fitted(scene: &Description, format: Format, model: Model) -> Option<Cow<'_, D
     }
     // The model of the picture decides whether lamps are attenuated, and so scaled.
     let model = if model.is_attenuated() { description::Model::Rta } else { description::Model::Phong };
-    match fit(scene, model, format, admits) {
+    match fit(scene, model, format, false, admits) {
         Ok(Fitted::Scaled { scene, .. }) => Some(Cow::Owned(*scene)),
         _ => None,
     }

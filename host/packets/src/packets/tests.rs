@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 
 use rta_core::scene::Object;
 use rta_scenes::accelerator::solid::{Solid, solids};
-use rta_scenes::description::{Description, Lamp};
+use rta_scenes::description::{Description, Lamp, Sphere, Surface};
 
 use super::Packets;
 use crate::light_buffer::Candidate;
@@ -78,12 +78,38 @@ fn memory_for_lamps_is_bounded_and_none_is_taken_for_a_few_objects() {
 fn everything_in_one_place_is_not_looked_at_for_each_direction() {
     // A leaf for each four, and each is seen through all cells: their number must not grow with that of the objects.
     let mut scene = scenes::cloud(20_000, 9.0, 1);
-    let first = scene.spheres[0].clone();
-    scene.spheres.fill(first);
+    let center = scene.spheres[0].position;
+    for (number, sphere) in (0..).zip(&mut scene.spheres) {
+        // What is of one size would be left out.
+        (sphere.position, sphere.radius) = (center, 1.0 + 1e-7 * f64::from(number));
+    }
     let packets = Packets::build::<f32>(&scene);
     let candidates = packets.light_buffers.candidates.len();
     assert!(candidates <= 25 * packets.light_buffers.cells.len(), "{candidates} candidates");
     assert!(packets.light_buffers.candidates.iter().any(|entry| entry.leaf() == Candidate::REST));
+}
+
+#[test]
+fn what_others_in_its_place_hide_is_left_out() {
+    let scene = scenes::cloud(100, 9.0, 1);
+    let glass = Surface::Transparent { ks: 0.5, kt: 0.5, ior: 1.5 };
+    let of = |surface| Sphere { surface, ..scene.spheres[0].clone() };
+    let (glass, opaque, mirror) = (of(glass), of(Surface::Opaque), of(Surface::Mirror));
+    let kept = |first: Vec<Sphere>| {
+        let (mut scene, count) = (scene.clone(), u32::try_from(first.len()).expect("few"));
+        scene.spheres.splice(0..1, first);
+        let packets = Packets::build::<f32>(&scene);
+        let mut found: Vec<Object> = packets.leaves.iter().flat_map(|leaf| leaf.items).collect();
+        found.sort_unstable();
+        found.retain(|item| matches!(item, Object::Sphere(i) if *i < count));
+        found
+    };
+    // Glass in the place of glass dims the light twice; an opaque one behind it stops it; the rest is neither seen nor felt.
+    let some = vec![glass.clone(), glass.clone(), opaque.clone(), glass.clone(), mirror];
+    assert_eq!(kept(some), [0, 1, 2].map(Object::Sphere));
+    let mut many = vec![glass; 70];
+    many[50] = opaque;
+    assert_eq!(kept(many), (0..32).chain([50]).map(Object::Sphere).collect::<Vec<_>>());
 }
 
 #[test]
@@ -118,6 +144,12 @@ fn every_object_is_in_one_leaf_and_in_all_boxes_above_it() {
                     walk(&packets, root as usize, &mut Vec::new(), &mut see);
                 }
             }
+            // But for what is in the place of another.
+            left.retain(|object, _| {
+                let (Object::Sphere(i), spheres) = (*object, &scene.spheres) else { return true };
+                let place = |sphere: &Sphere| (sphere.position, sphere.radius);
+                !spheres[..i as usize].iter().any(|other| place(other) == place(&spheres[i as usize]))
+            });
             assert!(left.is_empty(), "not in a leaf: {:?}", left.keys());
         }
     }

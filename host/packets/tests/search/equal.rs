@@ -52,8 +52,12 @@ fn single_rays_meet_the_same_among_many_lamps_and_in_one_place() {
         Lamp { position, radius: 0.3, ..lamp.clone() }
     }));
     // As many as a light buffer's cells list, and more.
-    let first = scene.spheres.first().expect("there are some").clone();
-    scene.spheres.extend((0..200).map(|_| first.clone()));
+    for first in scene.spheres.get(..3).expect("there are some").to_vec() {
+        scene.spheres.extend((0..100).map(|_| first.clone()));
+    }
+    for first in scene.triangles.get(..2).expect("there are some").to_vec() {
+        scene.triangles.extend((0..50).map(|_| first.clone()));
+    }
     in_all_formats(&scene, 5000);
 }
 

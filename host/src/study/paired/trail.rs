@@ -117,7 +117,8 @@ fn watched<S: Readable + ToF32, M: Illumination<S> + Sync>(
     narrowed.scene().weight(depth).check().map_err(rta_core::Error::from)?;
     let packets = Packets::build::<S>(scene);
     let admitted = Admitted::baked(narrowed.scene(), limits, &packets);
-    let tracer = Tracer::<S, _, Everything, { MAX_DEPTH as usize }, _>::new(&admitted, model, settings.depth)?;
+    let tracer =
+        Tracer::<S, _, Everything, { MAX_DEPTH as usize }, _>::new(&admitted, model, settings.depth)?;
     let rows = window.rows.start..window.rows.end.min(raster.height());
     let row = |y: u32| -> Vec<Pixel> {
         let mut recorder = Recorder::new(&narrowed.scene());
