@@ -256,7 +256,7 @@ impl<'a, S: Scalar> Scene<'a, S> {
             let glint = S::power_size(lamp.power);
             radiance.see(glint, Some(Object::Lamp(i)));
             if lamp.radius > S::ZERO {
-                radiance.see(glint.over(lamp.radius.size().times(lamp.radius.size())), Some(Object::Lamp(i)));
+                radiance.see(glint.over(lamp.radius.size()).over(lamp.radius.size()), Some(Object::Lamp(i)));
             }
         }
         let plane = |part: fn(UnitVec3<S>) -> S::Unit| {

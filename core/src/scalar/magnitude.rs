@@ -64,11 +64,11 @@ impl Magnitude {
         Self::new(u64::from(self.mantissa) * u64::from(other.mantissa), self.exponent + other.exponent)
     }
 
-    /// Returns the quotient; 0 as a divisor counts as the smallest bound above 0.
+    /// Returns the quotient by a divisor that is no bound but exact, as the size of a fixed-point number is; 0 counts as the smallest
+    /// number above 0.
     pub fn over(self, other: Self) -> Self {
-        let quotient = (u64::from(self.mantissa) << 32) / u64::from(other.mantissa.max(1));
-        // A divisor that was itself rounded up is 2^-31 too large at most: 4 of at most 2^33.
-        Self::new(quotient + 4 * u64::from(self.mantissa > 0), self.exponent - other.exponent - 32)
+        let (dividend, divisor) = (u64::from(self.mantissa) << 32, u64::from(other.mantissa.max(1)));
+        Self::new(dividend.div_ceil(divisor), self.exponent - other.exponent - 32)
     }
 
     /// Returns the square root.
@@ -150,6 +150,8 @@ fn four_digits(mut value: u64, mut exponent: i32) -> (u64, i32) {
 mod tests {
     extern crate std;
 
+    use std::string::ToString;
+
     use super::*;
 
     fn value(m: Magnitude) -> f64 {
@@ -179,11 +181,21 @@ mod tests {
                     };
                     check(m.plus(n), x + y, "sum");
                     check(m.times(n), x * y, "product");
-                    check(m.over(n), x / y, "quotient");
+                    check(m.over(n), x / value(n), "quotient");
                     check(n.root(), y.sqrt(), "root");
                     assert_eq!(m < n, x < y || (x == y && m < n), "order of {x} and {y}");
                 }
             }
+        }
+    }
+
+    #[test]
+    fn quotients_that_are_exact_are_not_rounded() {
+        for divisor in [1, 3, 32, 12_345] {
+            assert_eq!(
+                Magnitude::new(4096 * divisor, -16).over(Magnitude::new(divisor, -16)).to_string(),
+                "4096"
+            );
         }
     }
 

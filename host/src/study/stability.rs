@@ -3,7 +3,7 @@
 //! | step | where |
 //! | --- | --- |
 //! | the cases | [`cases`] |
-//! | where their rays start and go | [`aim`] |
+//! | where their rays start and go | [`aim`], [`body`] |
 //! | numbers rounded to a format and read back | [`exact`] |
 //! | the rays of one case in one format | [`mod@measure`] |
 //! | points that shadow themselves | [`acne`] |
@@ -22,12 +22,14 @@
 
 pub mod acne;
 pub mod aim;
+pub mod body;
 pub mod cases;
 pub mod exact;
 pub mod guard;
 pub mod measure;
 pub mod outcome;
 pub mod table;
+pub mod triple;
 
 use core::sync::atomic::Ordering;
 use std::fs;

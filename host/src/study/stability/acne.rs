@@ -12,11 +12,12 @@ use rta_core::world::Seen;
 use rta_scenes::description::{self, Description, Lamp};
 use rta_scenes::narrow::{Narrow, Narrowed, narrow};
 
-use super::aim::{Round, Triple, across, add, length, magnitude, sphere, unit};
+use super::body::Body;
 use super::cases::Case;
 use super::exact::rounded;
 use super::guard::guarded;
 use super::outcome::Measured;
+use super::triple::{Triple, add, magnitude, sphere, unit};
 
 /// Points that share an eye and a lamp.
 const BLOCK: usize = 64;
@@ -35,11 +36,11 @@ pub(super) fn search<S: Narrow>(case: &Case, points: usize, rng: &mut Rng, measu
     }
     for (block, scene) in (0..points.div_ceil(BLOCK)).zip(lone.iter().cycle()) {
         let mut scene = case.stand.place(scene, rng);
-        let Some(round) = Round::all(&scene).next() else { continue };
+        let Some(body) = Body::all(&scene).next() else { continue };
         if block / lone.len() % 2 == 1 || scene.lamps.is_empty() {
             let mut around = || {
-                let far = round.extent() * (1.0 + magnitude(rng, -3.0, 2.0));
-                add(round.surface(sphere(rng)), sphere(rng), far)
+                let far = body.extent() * (1.0 + magnitude(rng, -3.0, 2.0));
+                add(body.surface(sphere(rng)), sphere(rng), far)
             };
             scene.camera.eye = around();
             scene.lamps = vec![Lamp { position: around(), color: [1.0; 3], radius: 0.0, line: 0 }];
@@ -49,9 +50,9 @@ pub(super) fn search<S: Narrow>(case: &Case, points: usize, rng: &mut Rng, measu
         let Ok(narrowed) = narrow::<S>(&given, 1.0) else { continue };
         let Ok(admitted) = narrowed.scene().admit(&narrowed.camera) else { continue };
         let Some(lamp) = given.lamps.first() else { continue };
-        let inside = length(round.seen(lamp.position)) < 1.0;
+        let inside = body.holds(lamp.position);
         for _ in 0..BLOCK {
-            let direction = toward(&round, given.camera.eye, lamp.position, rng);
+            let direction = toward(&body, given.camera.eye, lamp.position, rng);
             match guarded(|| look(&narrowed, &admitted, direction, inside)) {
                 Ok(Some(true)) => measured.acne.of += 1,
                 Ok(Some(false)) => {
@@ -59,7 +60,7 @@ pub(super) fn search<S: Narrow>(case: &Case, points: usize, rng: &mut Rng, measu
                     measured.acne.points += 1;
                     measured.acne.first.get_or_insert_with(|| {
                         format!(
-                            "{round:?}, eye {:?}, lamp {:?}, {direction:?}",
+                            "{body:?}, eye {:?}, lamp {:?}, {direction:?}",
                             given.camera.eye, lamp.position
                         )
                     });
@@ -75,7 +76,8 @@ pub(super) fn search<S: Narrow>(case: &Case, points: usize, rng: &mut Rng, measu
 fn alone(scene: &Description) -> impl Iterator<Item = Description> {
     let mut empty = scene.clone();
     empty.lamps.iter_mut().for_each(|lamp| lamp.radius = 0.0); // a reflected ray is not to meet it
-    (empty.spheres, empty.ellipsoids, empty.cylinders) = Default::default();
+    (empty.spheres, empty.ellipsoids, empty.cylinders, empty.cones) = Default::default();
+    (empty.triangles, empty.planes) = Default::default();
     empty.floor = None;
     let spheres = scene.spheres.iter().cloned().map(|mut sphere| {
         sphere.surface = description::Surface::Opaque;
@@ -89,28 +91,24 @@ fn alone(scene: &Description) -> impl Iterator<Item = Description> {
         cylinder.surface = description::Surface::Opaque;
         Description { cylinders: vec![cylinder], ..empty.clone() }
     });
-    spheres.chain(ellipsoids).chain(cylinders).collect::<Vec<_>>().into_iter()
+    let cones = scene.cones.iter().cloned().map(|mut cone| {
+        cone.surface = description::Surface::Opaque;
+        // Without ends it is not convex: light falls in.
+        cone.capped = true;
+        Description { cones: vec![cone], ..empty.clone() }
+    });
+    spheres.chain(ellipsoids).chain(cylinders).chain(cones).collect::<Vec<_>>().into_iter()
 }
 
 /// A direction from the eye to the object: near its silhouette, anywhere, or near the border of light and dark.
-fn toward(round: &Round, eye: Triple, lamp: Triple, rng: &mut Rng) -> Triple {
+fn toward(body: &Body, eye: Triple, lamp: Triple, rng: &mut Rng) -> Triple {
     match rng.u8(..4) {
-        0 => round.past(eye, 1.0 - magnitude(rng, -9.0, 0.0), rng),
-        1 => round.past(eye, rng.f64().sqrt(), rng),
-        _ => {
-            // In the space where the object is a unit sphere, a tangent from the lamp touches at cos = 1 / distance.
-            let way = round.seen(lamp);
-            let distance = length(way);
-            if distance.is_nan() || distance <= 1.0 {
-                return sphere(rng);
-            }
-            let axis = way.map(|part| part / distance);
-            let cosine = (1.0 / distance + magnitude(rng, -9.0, -1.0)).min(1.0);
-            let side = across(axis, rng);
-            let place =
-                round.surface(add(axis.map(|part| part * cosine), side, (1.0 - cosine * cosine).sqrt()));
-            unit(add(place, eye, -1.0))
-        }
+        0 => body.past(eye, 1.0 - magnitude(rng, -9.0, 0.0), rng),
+        1 => body.past(eye, rng.f64().sqrt(), rng),
+        _ => match body.border(lamp, rng) {
+            Some(place) => unit(add(place, eye, -1.0)),
+            None => sphere(rng),
+        },
     }
 }
 

@@ -1,8 +1,11 @@
 //! The cases: situations that are known to break ray tracers, each as a scene with rays that are aimed at them.
 
-use rta_scenes::description::{Camera, Cylinder, Description, Ellipsoid, Floor, Lamp, Sky, Sphere, Surface};
+use rta_scenes::description::{
+    Camera, Cone, Cylinder, Description, Ellipsoid, Floor, Lamp, Sky, Sphere, Surface, Triangle,
+};
 
-use super::aim::{Aim, Stand, Triple};
+use super::aim::{Aim, Stand};
+use super::triple::Triple;
 
 /// One case.
 #[derive(Clone, Debug)]
@@ -49,6 +52,8 @@ trait Add {
     fn ball(self, position: Triple, radius: f64, surface: Surface) -> Self;
     fn egg(self, position: Triple, radii: Triple, surface: Surface) -> Self;
     fn column(self, position: [f64; 2], radius: f64, surface: Surface) -> Self;
+    fn rod(self, ends: [Triple; 2], radii: [f64; 2], surface: Surface) -> Self;
+    fn patch(self, vertices: [Triple; 3], normals: Option<[Triple; 3]>, surface: Surface) -> Self;
     fn lamp(self, position: Triple, intensity: f64, radius: f64) -> Self;
     fn focal(self, focal: f64) -> Self;
     fn dark(self) -> Self;
@@ -73,6 +78,26 @@ impl Add for Description {
     }
     fn column(mut self, [x, y]: [f64; 2], radius: f64, surface: Surface) -> Self {
         self.cylinders.push(Cylinder { position: [x, y, 0.0], color: MILKY, radius, surface, line: 0 });
+        self
+    }
+    fn rod(mut self, [base, apex]: [Triple; 2], [wide, narrow]: [f64; 2], surface: Surface) -> Self {
+        self.cones.push(Cone {
+            base,
+            base_radius: wide,
+            apex,
+            apex_radius: narrow,
+            capped: false,
+            inside_only: false,
+            color: GREY,
+            surface,
+            line: 0,
+        });
+        self
+    }
+    fn patch(mut self, vertices: [Triple; 3], normals: Option<[Triple; 3]>, surface: Surface) -> Self {
+        // Coincident ones are told apart by their colours.
+        let color = if self.triangles.len().is_multiple_of(2) { GREY } else { MILKY };
+        self.triangles.push(Triangle { vertices, normals, one_sided: false, color, surface, line: 0 });
         self
     }
     fn lamp(mut self, position: Triple, intensity: f64, radius: f64) -> Self {
@@ -209,6 +234,40 @@ pub fn all() -> Vec<Case> {
     let focal = |f| ahead().ball([0.0, 5.0, 2.0], 1.0, Mirror).ball([-1.5, 4.0, 0.5], 0.5, Shiny).focal(f);
     add("focal distance 0.01", still, Aim::Picture, 3, focal(0.01));
     add("focal distance 100", still, Aim::Picture, 3, focal(100.0));
+
+    // Thin solids.
+    let aslant = [[-3.0, 3.0, 0.5], [3.0, 7.0, 3.0]];
+    let rod = |radii, surface| sky(5.0).rod(aslant, radii, surface);
+    let thin = 7.6 / 4096.0; // their length is 7.6
+    add("cylinder 4096 : 1", stir, Aim::Silhouette, 2, rod([thin; 2], Shiny));
+    add("cylinder 4096 : 1, glass", stir, Aim::Silhouette, 5, rod([thin; 2], glass(1.5)));
+    add("cone 4096 : 1", stir, Aim::Silhouette, 2, rod([thin, 0.0], Shiny));
+    add("cone 64 : 1", stir, Aim::Silhouette, 2, rod([64.0 * thin, 0.0], Shiny));
+    let needle = sky(5.0).egg([0.0, 5.0, 0.0], [2.0, 2.0 / 4096.0, 2.0 / 4096.0], Shiny);
+    add("ellipsoid 4096 : 1 : 1", stir, Aim::Silhouette, 2, needle);
+    add("the apex of a cone", stir, Aim::Apex, 2, rod([1.0, 0.0], Shiny));
+    let tube = |surface| sky(5.0).rod([[0.0, 2.0, 0.0], [0.0, 8.0, 0.0]], [1.0, 1.0], surface);
+    add("along the axis of a tube", stir, Aim::Axis, 2, tube(Shiny));
+    add("along the axis of a mirror tube", Stand::Shaken(0.2), Aim::Axis, 5, tube(Mirror));
+    add("along the axis of a glass tube", Stand::Shaken(0.2), Aim::Axis, 5, tube(glass(1.5)));
+
+    // Meshes: slivers, normals that differ much from the face's, and surfaces in one place.
+    let sliver = [[-3.0, 5.0, -1.0], [3.0, 5.0, 1.0], [3.0, 5.0, 1.0 + 6.0 / 4096.0]];
+    add("triangle 4096 : 1", stir, Aim::Edge, 2, sky(5.0).patch(sliver, None, Shiny));
+    let corners = [[-2.0, 5.0, -1.5], [2.0, 5.0, -1.5], [0.0, 5.0, 2.0]];
+    let bent = Some([[-0.8, -0.6, 0.0], [0.8, -0.6, 0.0], [0.0, -0.6, 0.8]]);
+    for (name, depth, surface) in
+        [("normals of a mirror, mixed", 4, Mirror), ("normals of a glass, mixed", 5, glass(1.5))]
+    {
+        add(name, still, Aim::Picture, depth, sky(5.0).patch(corners, bent, surface));
+    }
+    let [a, b, c] = [[-0.3, 4.0, -1.0], [1.7, 6.0, -0.5], [-1.1, 5.2, 2.0]];
+    let turned = |surface| {
+        let orders = [[a, b, c], [c, b, a], [b, c, a]];
+        orders.into_iter().fold(sky(5.0), |scene, vertices| scene.patch(vertices, None, surface))
+    };
+    add("coincident triangles", still, Aim::Picture, 3, turned(Opaque));
+    add("coincident triangles, mirrors", still, Aim::Picture, 3, turned(Mirror));
 
     for case in &mut cases {
         case.thinning = match case.aim {

@@ -51,6 +51,19 @@ pub fn rounded<S: Narrow>(scene: &Description) -> Description {
         radius(&mut sphere.radius);
         surface(&mut sphere.surface);
     }
+    for cone in &mut scene.cones {
+        cone.base.iter_mut().chain(&mut cone.apex).for_each(length);
+        cone.color.iter_mut().for_each(unit);
+        for end in [&mut cone.base_radius, &mut cone.apex_radius] {
+            radius(end);
+        }
+        surface(&mut cone.surface);
+    }
+    for triangle in &mut scene.triangles {
+        triangle.vertices.as_flattened_mut().iter_mut().for_each(length);
+        triangle.color.iter_mut().for_each(unit);
+        surface(&mut triangle.surface);
+    }
     for lamp in &mut scene.lamps {
         lamp.position.iter_mut().for_each(length);
         radius(&mut lamp.radius);

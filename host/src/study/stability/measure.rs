@@ -14,11 +14,12 @@ use rta_scenes::in_format;
 use rta_scenes::narrow::{Narrow, Narrowed, narrow};
 
 use super::acne;
-use super::aim::{Drawn, unit};
+use super::aim::Drawn;
 use super::cases::Case;
 use super::exact::rounded;
 use super::guard::guarded;
 pub use super::outcome::{Measured, Outcome};
+use super::triple::unit;
 use crate::engine::{EngineError, Format, MAX_DEPTH, single};
 
 /// Rays from one eye.
