@@ -206,7 +206,7 @@ pub enum Mismatch {
 }
 
 /// What to do about a failure that is meant.
-const ADVICE: &str = "If it is right, RTA_BLESS=1 cargo test makes it the golden picture";
+const ADVICE: &str = "\n  if it is right, RTA_BLESS=1 cargo test makes it the golden picture";
 
 impl fmt::Display for Mismatch {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -218,16 +218,13 @@ impl fmt::Display for Mismatch {
             Self::Pixels(difference) => difference.fmt(f),
             Self::Size { golden, drawn, golden_size, kept } => {
                 let (golden, (width, height), (w, h)) = (golden.display(), drawn, golden_size);
-                write!(
-                    f,
-                    "{golden} has {w} x {h} pixels, the picture drawn {width} x {height}; {kept}. {ADVICE}"
-                )
+                write!(f, "{golden} has {w} x {h} pixels, the picture drawn {width} x {height}{kept}{ADVICE}")
             }
             Self::Missing { golden, kept } => {
-                write!(f, "{} is not there yet; {kept}. {ADVICE}", golden.display())
+                write!(f, "{} is not there yet{kept}{ADVICE}", golden.display())
             }
             Self::Unreadable { golden, source, kept } => {
-                write!(f, "{} cannot be read: {source}; {kept}. {ADVICE}", golden.display())
+                write!(f, "{} cannot be read: {source}{kept}{ADVICE}", golden.display())
             }
             Self::Write { golden, source } => write!(f, "{} cannot be written: {source}", golden.display()),
         }
@@ -241,8 +238,8 @@ impl fmt::Display for Difference {
         let (verb, by) = if *differing == 1 { ("differs", "by") } else { ("differ", "by up to") };
         write!(
             f,
-            "{}: {differing} of {pixels} pixels {verb}, {by} {largest} of 255 in a gun, the first in column {x} of row {y}: {} was drawn, \
-             {} is golden; {kept}. {ADVICE}",
+            "{}: {differing} of {pixels} pixels {verb}, {by} {largest} of 255 in a gun\n  \
+             first:      column {x} of row {y}, {} was drawn, {} is golden{kept}{ADVICE}",
             golden.display(),
             hex(drawn_color),
             hex(golden_color)

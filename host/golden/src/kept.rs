@@ -37,15 +37,17 @@ impl Kept {
     }
 }
 
+/// Writes the lines of an error that name the files.
 impl fmt::Display for Kept {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let drawn = self.drawn.display();
-        match (&self.error, &self.difference) {
-            (Some(error), _) => write!(f, "the picture drawn cannot be kept as {drawn}: {error}"),
-            (None, None) => write!(f, "the picture drawn is {drawn}"),
-            (None, Some(difference)) => {
-                write!(f, "the picture drawn is {drawn}, the difference {}", difference.display())
-            }
+        if let Some(error) = &self.error {
+            return write!(f, "\n  it cannot be shown in {drawn}: {error}");
+        }
+        write!(f, "\n  drawn:      {drawn}")?;
+        match &self.difference {
+            Some(difference) => write!(f, "\n  difference: {}", difference.display()),
+            None => Ok(()),
         }
     }
 }

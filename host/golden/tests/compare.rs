@@ -81,7 +81,7 @@ fn a_difference_is_told_and_shown() {
     let Mismatch::Pixels(difference) = &error else { panic!("{text}") };
     assert!(
         text.contains(
-            "2 of 6 pixels differ, by up to 255 of 255 in a gun, the first in column 1 of row 0: #fb0000 was drawn, #ff0000 is golden"
+            "2 of 6 pixels differ, by up to 255 of 255 in a gun\n  first:      column 1 of row 0, #fb0000 was drawn, #ff0000 is golden"
         ),
         "{text}"
     );
@@ -107,7 +107,7 @@ fn a_difference_is_told_and_shown() {
     assert_eq!(decoded(&path).2, [0, 1, 0, 1, 1, 0]);
     let (_, text) = refused(&picture(&[BLACK, RED, DIM], [0, 1, 0, 1, 1, 2]), &path);
     assert!(
-        text.contains("1 of 6 pixels differs, by 251 of 255 in a gun, the first in column 2 of row 1"),
+        text.contains("1 of 6 pixels differs, by 251 of 255 in a gun\n  first:      column 2 of row 1"),
         "{text}"
     );
 }
@@ -118,7 +118,7 @@ fn a_golden_picture_that_is_missing_of_another_size_or_none_is_an_error() {
     let path = fresh("missing");
     let (error, text) = refused(&drawn, &path);
     let Mismatch::Missing { kept, .. } = &error else { panic!("{text}") };
-    assert!(text.contains("is not there yet; the picture drawn is ") && !path.exists(), "{text}");
+    assert!(text.contains("is not there yet\n  drawn: ") && !path.exists(), "{text}");
     assert_eq!(decoded(&kept.drawn).2, [0, 1, 0, 1, 1, 0]);
 
     let path = golden("size", png::ColorType::Grayscale, None, &[0; 6]);
