@@ -42,7 +42,7 @@ impl<W: Write> Display for Terminal<W> {
     fn put_pixels(&mut self, x: u32, y: u32, indices: &[u8]) -> Result<(), Self::Error> {
         CAPABILITIES.check_pixels(x, y, indices.len())?;
         CAPABILITIES.check_indices(indices)?;
-        let row = self.rows.iter_mut().nth(y as usize).into_iter().flatten().skip(x as usize);
+        let row = self.rows.get_mut(y as usize).into_iter().flatten().skip(x as usize);
         row.zip(indices).for_each(|(pixel, &index)| *pixel = index);
         Ok(())
     }
