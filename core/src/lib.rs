@@ -44,6 +44,8 @@
 //! }
 //! # Ok::<(), rta_core::Error>(())
 //! ```
+//!
+//! `examples/ball.rs` sends such a picture through a port, as text.
 #![no_std]
 #![forbid(unsafe_code)]
 

@@ -44,7 +44,7 @@
 //!
 //! If the device is reached by ports, registers or a window of memory, be generic over the traits of [`bus`], as
 //! [`vga13h::Mode13h`] is; then the driver can be tested without the device. If it can be read, implement
-//! [`display::ReadBack`] too.
+//! [`display::ReadBack`] too. `examples/terminal.rs` draws a scene on a driver for a terminal.
 //!
 //! ```
 //! use rta_core::color::Rgb;

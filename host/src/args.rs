@@ -81,8 +81,8 @@ pub enum Command {
     Bake(BakeArgs),
     /// Print a hash of a scene's picture on a device
     ///
-    /// 64 bits over the pixels and the colours that the device is sent. In fixed point every machine arrives at the same
-    /// number: a port that prints it too draws the right bytes.
+    /// 64 bits over the pixels and the colours that the device is sent. In fixed point, which is what this command traces in
+    /// unless told otherwise, every machine arrives at the same number: a port that prints it too draws the right bytes.
     Hash(HashArgs),
     /// Tell why a pixel is what it is in a number format, beside f64
     ///

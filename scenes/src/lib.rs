@@ -20,6 +20,8 @@
 //! assert_eq!(error.to_string(), "scene.nff:3:1: expected the word \"at\" of the viewpoint, found \"to\"");
 //! # Ok::<(), rta_scenes::error::SceneError>(())
 //! ```
+//!
+//! `examples/draw.rs` goes on from there, through a number format to a picture file.
 
 pub mod accelerator;
 pub mod bake;

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use clap::Args;
 
 use super::tracing::TracingArgs;
+use crate::engine::Format;
 use crate::picture::device::{Device, Target};
 use crate::picture::file::FileType;
 
@@ -52,8 +53,9 @@ pub struct RenderArgs {
     pub tracing: TracingArgs,
 }
 
-/// `rta hash`.
+/// `rta hash`. Its number format is fixed point unless another is asked for: only there do all machines arrive at one hash.
 #[derive(Args, Debug)]
+#[command(mut_arg("format", |format| format.default_value(Format::Q16.name())))]
 pub struct HashArgs {
     /// Scene file (.dat, .nff or .p3f), or - for standard input
     pub scene: PathBuf,

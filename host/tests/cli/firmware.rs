@@ -51,14 +51,18 @@ fn what_cannot_be_baked_leaves_nothing_behind() {
 fn a_hash_tells_pictures_apart_and_nothing_else() {
     let folder = Folder::new();
     let hash = |options: &[&str]| {
-        let line =
-            folder.prints(&[&["hash", "scene.dat", "--format", "q16", "--size", "64x40"], options].concat());
+        let line = folder.prints(&[&["hash", "scene.dat", "--size", "64x40"], options].concat());
         let (number, what) = line.split_once("  ").unwrap();
         assert!(number.len() == 16 && number.bytes().all(|digit| digit.is_ascii_hexdigit()), "{line}");
         assert!(what.starts_with("scene, 64x40, device ") && line.lines().count() == 1, "{line}");
+        // In the format in which all machines agree, unless another is asked for.
+        let format = if options.contains(&"f32") { "format f32," } else { "format q16," };
+        assert!(what.contains(format), "{line}");
         number.to_owned()
     };
     let one = hash(&["--threads", "1"]);
+    assert_eq!(one, hash(&["--format", "q16"]));
+    hash(&["--format", "f32"]);
     assert_eq!(one, hash(&["--threads", "3"]));
     let others = [
         hash(&["--device", "pixrect"]),

@@ -131,12 +131,13 @@ fn a_scene_that_does_not_fit_is_scaled_if_that_is_asked() {
     folder.refuses(&["check", "large.nff"], &["large.nff", "; it fits f32", "--fit would scale it by 0."]);
     folder.refuses(&["bake", "large.nff", "-o", "large.rs"], &["--fit would scale it by 0."]);
     folder.refuses(&["explain", "large.nff", "--pixel", "1,1"], &["--fit would scale it by 0."]);
+    folder.refuses(&["hash", "large.nff"], &["large.nff does not fit q16", "--fit would scale it by 0."]);
     for command in [
         &[&["render", "-q", "large.nff"], &args[..]].concat()[..],
         &["check", "large.nff"],
         &["bake", "large.nff", "-o", "-"],
         &["explain", "large.nff", "--pixel", "1,1"],
-        &["hash", "large.nff", "--format", "q16", "--size", "8x8"],
+        &["hash", "large.nff", "--size", "8x8"],
         &["show", "large.nff", "--format", "q16", "--size", "8x8"],
     ] {
         let Output { status, stdout, stderr } = folder.rta(&[command, &["--fit"]].concat());

@@ -2,9 +2,16 @@
 //!
 //! `RTA_BLESS=1 cargo test -p rta-tests --test all golden` records the pictures that are drawn now as the golden ones.
 
+use core::sync::atomic::AtomicBool;
+
 use rta::device::Device;
-use rta::engine::Format;
+use rta::engine::{Format, Model};
+use rta::raster::Size;
+use rta::render::Work;
+use rta::request::Request;
+use rta::screen::TableKind;
 use rta_core::color::Rgb;
+use rta_golden::{Render, Screen, Table};
 use rta_tests::golden::{check, draw, request, scene};
 use rta_tests::picture::share_within;
 
@@ -45,6 +52,37 @@ fn floats_are_near(name: &str, device: Device) {
                 share >= least,
                 "{name} on {device}: {share} % of q16 and {format} within {tolerance}, at least {least} % must be"
             );
+        }
+    }
+}
+
+/// The crate for the tests of others draws by one ray after another and searches as firmware does; the program, by packets and
+/// threads.
+#[test]
+fn a_picture_of_rta_golden_has_the_hash_that_the_program_prints() {
+    let screens = [
+        (Device::Vga, Screen::VGA),
+        (Device::Graphigs, Screen::GRAPHIGS),
+        (Device::Pixrect, Screen::PIXRECT),
+    ];
+    let tables = [
+        (TableKind::Adaptive, Table::Adaptive),
+        (TableKind::Tolerant, Table::Tolerant),
+        (TableKind::Uniform, Table::Uniform),
+    ];
+    for name in ["juggler", "hall-22", "glass-2"] {
+        for ((device, screen), (kind, table)) in screens.into_iter().flat_map(|s| tables.map(|t| (s, t))) {
+            for (format, model, depth) in [(Format::Q16, Model::Rta, 5), (Format::Q20, Model::Whitted, 2)] {
+                let size = Some(Size::new(96, 40).expect("a size"));
+                let asked = Request { table: kind, size, model, depth, ..request(device, format) };
+                let (scene, stop) = (scene(name), AtomicBool::new(false));
+                let work = Work::new(&asked, &scene, Some(2), &stop).expect("it is drawn");
+                let program = work.quiet(true).checksum(device).expect("nothing stops it");
+                let screen = screen.window(96, 40).with(table);
+                let render = Render { screen, format, model: Some(model), depth };
+                let picture = render.scene(&scene.description).expect("it is drawn");
+                assert_eq!(picture.hash(), program, "{name} {device} {kind} {format} {model}");
+            }
         }
     }
 }
