@@ -38,7 +38,7 @@ fn footprints() -> Vec<Footprint> {
     let table = include_str!("../../boards/FOOTPRINT.md").lines().filter(|line| line.starts_with("| "));
     let images = table.skip(2).map(|line| {
         let cells: Vec<_> = line.trim_matches('|').split('|').map(str::trim).collect();
-        let [image @ .., text, rodata, ram, stack, _] = cells[..] else { panic!("{line}") };
+        let [image @ .., text, rodata, ram, stack, _] = cells.as_slice() else { panic!("{line}") };
         Footprint {
             image: image.try_into().expect("four words"),
             bytes: [text, rodata, ram, stack].map(|cell| cell.parse().expect("bytes")),
