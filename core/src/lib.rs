@@ -1,8 +1,9 @@
-//! A Whitted ray tracer for machines without a heap, an operating system or an FPU.
+#![doc = include_str!("../README.md")]
 //!
-//! The crate is `no_std`, allocates nothing and contains no unsafe code. Everything is generic over a [`Scalar`]:
-//! the number type of a length. `f32` and (with the feature `f64`) `f64` are scalars; so are [`Q16`] and [`Q20`], fixed
-//! point that draws the same bytes on every processor.
+//! # Numbers as a type
+//!
+//! Everything is generic over a [`Scalar`]: the number type of a length. `f32` and (with the feature `f64`) `f64` are
+//! scalars; so are [`Q16`] and [`Q20`], fixed point that draws the same bytes on every processor.
 //!
 //! # The way of one pixel
 //!
@@ -23,29 +24,7 @@
 //! Primitives, illumination models and accelerators are traits. Three programs in `tests/examples/` add one of each from outside,
 //! and say which one line puts it into the core: `new_primitive.rs`, `new_model.rs`, `new_accelerator.rs`.
 //!
-//! # Ten lines of firmware
-//!
-//! ```
-//! use rta_core::{prelude::*, Q16};
-//!
-//! let length = |n: i32| Q16::from_num(n);
-//! let red = Rgb::new(Unit::ratio(9, 10), Unit::ratio(1, 5), Unit::ratio(1, 10));
-//! let ball = Sphere::new(Xyz::new(length(0), length(5), length(1)), length(1), red, Material::Mirror);
-//! let lamp = Lamp::white(Xyz::new(length(-4), length(0), length(6)), length(1), 60);
-//! let scene = Scene { spheres: &[ball], lamps: &[lamp], ..Scene::day() };
-//! let eye = Camera::new(Xyz::new(length(0), length(0), length(2)), UnitVec3::<Q16>::Y, Lens::new(1, 1, (4, 3)));
-//! let scene = scene.admit(&eye)?; // no ray can overflow
-//! let tracer: Tracer<_, _, Everything, 8> = Tracer::new(&scene, Rta, 5)?;
-//! for row in 0..4 {
-//!     for light in Pixels::row(&tracer, &eye, Raster::new(320, 200)?, row) {
-//!         let levels: Rgb<u8> = light.levels(63); // 0..=63, what a VGA's DAC takes
-//!         assert!(levels.r <= 63);
-//!     }
-//! }
-//! # Ok::<(), rta_core::Error>(())
-//! ```
-//!
-//! `examples/ball.rs` sends such a picture through a port, as text.
+//! `examples/ball.rs` sends a picture through a port, as text.
 #![no_std]
 #![forbid(unsafe_code)]
 

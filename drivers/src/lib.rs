@@ -152,3 +152,8 @@ pub mod painter;
 pub mod pixrect;
 pub mod quantize;
 pub mod vga13h;
+
+/// The code of the README, compiled and run with the other examples.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -37,8 +37,3 @@ pub use study::{bench, paired, report, stability};
 pub mod scene {
     pub use crate::request::scene_file::SceneFile as Scene;
 }
-
-/// The code of the README, compiled and run with the other examples.
-#[cfg(doctest)]
-#[doc = include_str!("../../README.md")]
-struct Readme;

@@ -108,3 +108,8 @@ mod tests {
         }
     }
 }
+
+/// The code of the README, compiled and run with the other examples.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -11,3 +11,8 @@ pub mod measure;
 pub mod oracle;
 pub mod picture;
 pub mod random_scenes;
+
+/// The code of the README, compiled and run.
+#[cfg(doctest)]
+#[doc = include_str!("../../README.md")]
+struct Readme;

@@ -40,3 +40,8 @@ pub use number::ToF32;
 pub use packets::Packets;
 pub use picture::Picture;
 pub use rows::Rows;
+
+/// The code of the README, compiled and run with the other examples.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -6,7 +6,7 @@ use std::process::{Output, Stdio};
 
 use super::folder::{Folder, SCENE, decoder};
 
-const BALLS: &str = include_str!("../../../scenes/balls2.nff");
+const BALLS: &str = rta_scenes::shipped::BALLS_2;
 
 /// A small scene in NFF.
 const SMALL: &str = "\

@@ -1,4 +1,4 @@
-//! The formats against an independent renderer and against each other: the figures that the README states.
+//! The formats against an independent renderer and against each other: the figures that `tests/README.md` states.
 
 use rta::engine::Format;
 use rta_scenes::{dat, description::Description, shipped};

@@ -24,6 +24,7 @@ mod needs;
 mod numbers;
 mod properties;
 mod range;
+mod readme;
 mod report;
 mod sampling;
 mod single_rays;
