@@ -11,7 +11,7 @@ mod transmittance;
 use core::ops::ControlFlow;
 
 pub use bvh::{Bvh, Node};
-pub use closest::Closest;
+pub use closest::{Closest, STEEPEST, is_flat};
 pub use transmittance::{Filters, transmitted};
 
 use crate::needs::Needs;

@@ -1,7 +1,7 @@
 //! Surfaces: the four types of the thesis, and surfaces with coefficients of their own.
 
 use crate::needs::Needs;
-use crate::scalar::{Scalar, Unit};
+use crate::scalar::{Exponent, Scalar, Unit};
 
 /// What a surface does with light.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -24,8 +24,8 @@ pub enum Material<S: Scalar> {
 pub struct Finish<S: Scalar> {
     /// Diffuse coefficient, 0 or more.
     pub kd: S::Unit,
-    /// Exponent of the highlight: the larger the exponent, the smaller the highlight.
-    pub exponent: u32,
+    /// Exponent of the highlight, a real number: the larger the exponent, the smaller the highlight.
+    pub exponent: Exponent,
     /// Reflection, whose `ks` weighs highlights too, and transmission; a `kt` of 0 makes the surface opaque.
     pub glass: Glass<S>,
 }

@@ -18,12 +18,14 @@
 use core::fmt::Debug;
 use core::ops::{Add, Neg, Sub};
 
+mod exponent;
 mod fixed;
 mod float;
 pub mod integer;
 mod magnitude;
 pub mod vector;
 
+pub use exponent::Exponent;
 pub use fixed::{Power, Q16, Q20, Radiance};
 pub use magnitude::Magnitude;
 use vector::{LengthVector, UnitVector};
@@ -171,9 +173,12 @@ pub trait Unit:
     fn discriminant(b: Self, a: Self, c: Self) -> Option<Self>;
     /// Returns `self / divisor`. In fixed point it saturates at 2, in floating point it may be infinite or NaN.
     fn quotient(self, divisor: Self) -> Self;
-    /// Returns `self^exponent` by repeated squaring, for `self` in [0, 1].
-    fn power(self, exponent: u32) -> Self {
-        let (mut base, mut left, mut product) = (self, exponent, Self::ONE);
+    /// Returns `self^(part / 2^32)`, for `self` in [0, 1] and a `part` above 0.
+    fn root(self, part: u32) -> Self;
+    /// Returns `self^exponent`, for `self` in [0, 1]: by repeated squaring what is whole of the exponent.
+    fn power(self, exponent: Exponent) -> Self {
+        let (whole, part) = exponent.split();
+        let (mut base, mut left, mut product) = (self, whole, Self::ONE);
         while left > 0 {
             if left & 1 == 1 {
                 product = product.times(base);
@@ -181,7 +186,7 @@ pub trait Unit:
             base = base.times(base);
             left >>= 1;
         }
-        product
+        if part > 0 { product.times(self.root(part)) } else { product }
     }
 }
 

@@ -16,15 +16,17 @@ use crate::shape::{Primitive, Sphere};
 /// The hits of a ray that may be seen, of objects that come in any order.
 ///
 /// Flat surfaces at one place, such as polygons of one plane, are hit at distances that differ by roundings. If the nearest
-/// alone counted, their colours would alternate at random. So of all flat objects that lie no farther behind the nearest hit,
-/// itself of a flat object, than [`Scalar::at_one_place`], the first in order of [`Object`] is seen. That does not depend on the
+/// alone counted, their colours would alternate at random. So of all flat objects that lie no farther behind the nearest flat one
+/// than [`Scalar::at_one_place`], and before any curved one, the first in order of [`Object`] is seen. That does not depend on the
 /// order of the search, unless more than `OTHERS` + 1 flat objects lie there. Curved surfaces cross along a line, and need no
 /// such rule; a program that draws nothing else takes no `OTHERS`.
 #[derive(Clone, Debug)]
 pub struct Closest<S: Scalar, const OTHERS: usize = 3> {
-    /// The nearest hit; of equally near ones, the first in order.
-    nearest: Option<Hit<S>>,
-    /// Hits that may lie at its place; of too many, those that are first in order.
+    /// The nearest hit of a curved object; of equally near ones, the first in order.
+    curved: Option<Hit<S>>,
+    /// The nearest hit of a flat one, likewise.
+    flat: Option<Hit<S>>,
+    /// Hits of flat ones that may lie at its place; of too many, those that are first in order.
     others: Vec<Hit<S>, OTHERS>,
     limit: S,
 }
@@ -33,7 +35,7 @@ impl<S: Scalar, const OTHERS: usize> Closest<S, OTHERS> {
     /// Starts with no hit.
     #[allow(clippy::new_without_default, reason = "one way is enough")]
     pub const fn new() -> Self {
-        Self { nearest: None, others: Vec::new(), limit: S::FAR }
+        Self { curved: None, flat: None, others: Vec::new(), limit: S::FAR }
     }
 
     /// Returns the distance from which on hits are of no interest.
@@ -44,27 +46,12 @@ impl<S: Scalar, const OTHERS: usize> Closest<S, OTHERS> {
     /// Adds a hit nearer than [`Closest::limit`].
     #[inline]
     pub fn offer(&mut self, hit: Hit<S>) {
-        match self.nearest {
-            Some(nearest) if (nearest.distance, nearest.object) <= (hit.distance, hit.object) => {
-                self.keep(hit);
-            }
-            nearest => {
-                self.nearest = Some(hit);
-                if OTHERS == 0 {
-                    // An equally near object may come first in order.
-                    self.limit = hit.distance.next_up();
-                    return;
-                }
-                self.limit = hit.distance.at_one_place(S::ZERO, S::Unit::ratio(1, STEEPEST));
-                if let Some(nearest) = nearest {
-                    // What is as far away as the old one, or farther, counts only if that does.
-                    if nearest.distance >= self.limit {
-                        self.others.clear();
-                    } else {
-                        self.keep(nearest);
-                    }
-                }
-            }
+        if OTHERS > 0 && is_flat(hit.object) {
+            self.offer_flat(hit);
+        } else if self.curved.is_none_or(|curved| !comes_first(curved, hit)) {
+            self.curved = Some(hit);
+            // An equally near object may come first in order.
+            self.shorten(hit.distance.next_up());
         }
     }
 
@@ -72,16 +59,35 @@ impl<S: Scalar, const OTHERS: usize> Closest<S, OTHERS> {
     #[inline]
     fn offer_last(&mut self, hit: Hit<S>) {
         if OTHERS == 0 {
-            (self.nearest, self.limit) = (Some(hit), hit.distance);
+            (self.curved, self.limit) = (Some(hit), hit.distance);
         } else {
             self.offer(hit);
         }
     }
 
-    fn keep(&mut self, hit: Hit<S>) {
-        if OTHERS == 0 || !is_flat(hit.object) {
-            return;
+    fn offer_flat(&mut self, hit: Hit<S>) {
+        match self.flat {
+            Some(flat) if comes_first(flat, hit) => self.keep(hit),
+            flat => {
+                self.flat = Some(hit);
+                let end = hit.distance.at_one_place(S::ZERO, S::Unit::ratio(1, STEEPEST));
+                self.shorten(end);
+                if let Some(flat) = flat {
+                    // What is as far away as the old one, or farther, counts only if that does.
+                    if flat.distance < end { self.keep(flat) } else { self.others.clear() }
+                }
+            }
         }
+    }
+
+    #[inline]
+    fn shorten(&mut self, limit: S) {
+        if limit < self.limit {
+            self.limit = limit;
+        }
+    }
+
+    fn keep(&mut self, hit: Hit<S>) {
         if self.others.is_full() {
             let limit = self.limit;
             self.others.retain(|other| other.distance < limit);
@@ -97,18 +103,25 @@ impl<S: Scalar, const OTHERS: usize> Closest<S, OTHERS> {
     /// Returns the hit that is seen, if there is one.
     #[inline]
     pub fn seen(&self, scene: &Scene<'_, S>, ray: &Ray<S>) -> Option<Hit<S>> {
-        let nearest = self.nearest?;
-        let is_alone = OTHERS == 0 || self.others.is_empty() || !is_flat(nearest.object);
-        Some(if is_alone { nearest } else { self.first(nearest, scene, ray) })
+        if OTHERS == 0 {
+            return self.curved;
+        }
+        match (self.curved, self.flat) {
+            (curved, None) => curved,
+            (Some(curved), Some(flat)) if comes_first(curved, flat) => Some(curved),
+            (_, Some(flat)) if self.others.is_empty() => Some(flat),
+            (_, Some(flat)) => Some(self.first(flat, scene, ray)),
+        }
     }
 
-    /// Returns the first in order of the hits at the place of the nearest one.
+    /// Returns the first in order of the hits at the place of the nearest one, `flat`.
     #[inline(never)] // few rays need it
-    fn first(&self, nearest: Hit<S>, scene: &Scene<'_, S>, ray: &Ray<S>) -> Hit<S> {
-        let mut first = nearest;
-        for &hit in &self.others {
+    fn first(&self, flat: Hit<S>, scene: &Scene<'_, S>, ray: &Ray<S>) -> Hit<S> {
+        let is_behind = |hit| self.curved.is_some_and(|curved| comes_first(curved, hit));
+        let mut first = flat;
+        for &hit in self.others.iter().filter(|hit| !is_behind(**hit)) {
             let (cosine, extent) = slope(scene, hit, ray);
-            if hit.object < first.object && hit.distance <= nearest.distance.at_one_place(extent, cosine) {
+            if hit.object < first.object && hit.distance <= flat.distance.at_one_place(extent, cosine) {
                 first = hit;
             }
         }
@@ -116,11 +129,18 @@ impl<S: Scalar, const OTHERS: usize> Closest<S, OTHERS> {
     }
 }
 
+/// Returns whether the first of two hits is nearer, or comes first in order of two that are equally near.
+#[inline]
+fn comes_first<S: Scalar>(hit: Hit<S>, other: Hit<S>) -> bool {
+    hit.distance < other.distance || (hit.distance == other.distance && hit.object <= other.object)
+}
+
 /// A surface that is seen at a smaller cosine than one over this counts as if it were seen at that.
-const STEEPEST: i64 = 128;
+pub const STEEPEST: i64 = 128;
 
 /// Returns whether an object is flat.
-const fn is_flat(object: Object) -> bool {
+#[inline]
+pub const fn is_flat(object: Object) -> bool {
     matches!(object, Object::Triangle(_) | Object::Plane(_) | Object::Floor)
 }
 

@@ -6,7 +6,7 @@ use crate::light::Incident;
 use crate::material::Material;
 use crate::needs::Needs;
 use crate::scalar::vector::UnitVector;
-use crate::scalar::{Light, Scalar, Unit};
+use crate::scalar::{Exponent, Light, Scalar, Unit};
 use crate::surface::Surface;
 
 /// `I = Ia C ka + kd sum (N.L) C I + ks (I_ref + sum (N.H)^n I) + kt I_tra`
@@ -29,19 +29,19 @@ pub struct Whitted<S: Scalar> {
     /// Specular coefficient of shiny surfaces, 0 to 1; the rest of their light is diffuse.
     pub shine: S::Unit,
     /// Exponent of the highlight: the larger the exponent, the smaller the highlight.
-    pub exponent: u32,
+    pub exponent: Exponent,
 }
 
 impl<S: Scalar> Default for Whitted<S> {
     /// ka = 1, shine = 0.2, exponent = 50.
     fn default() -> Self {
-        Self { ka: S::Unit::ONE, shine: S::Unit::ratio(1, 5), exponent: 50 }
+        Self { ka: S::Unit::ONE, shine: S::Unit::ratio(1, 5), exponent: Exponent::new(50, 0) }
     }
 }
 
 impl<S: Scalar> Whitted<S> {
     /// Returns kd, ks and the exponent of highlights for a material.
-    pub(super) fn coefficients<N: Needs>(&self, material: &Material<S>) -> (S::Unit, S::Unit, u32) {
+    pub(super) fn coefficients<N: Needs>(&self, material: &Material<S>) -> (S::Unit, S::Unit, Exponent) {
         let (zero, one) = (S::Unit::ZERO, S::Unit::ONE);
         if let Some(finish) = material.finish::<N>() {
             return (finish.kd, finish.glass.ks, finish.exponent);

@@ -8,7 +8,7 @@ mod length;
 
 use fixed::types::{I2F30, I12F20, I16F16};
 
-use super::integer::{self, Reciprocal, shift_right, wide};
+use super::integer::{self, Reciprocal, exp2_minus, minus_log2, shift_right, wide};
 use super::vector::{Plan, UnitVector, Xyz};
 use super::{Light, Magnitude, Scalar, Unit};
 
@@ -104,6 +104,14 @@ impl Unit for I2F30 {
     }
     fn over(self, divisor: Reciprocal) -> Self {
         Self::from_bits(saturate(divisor.times(self.to_bits())))
+    }
+    #[allow(clippy::cast_possible_truncation)] // at most 30 2^27
+    fn root(self, part: u32) -> Self {
+        if self <= Self::ZERO {
+            return Self::ZERO;
+        }
+        let log = u64::from(minus_log2(self.to_bits().unsigned_abs())) * u64::from(part);
+        Self::from_bits(exp2_minus((log >> 32) as u32).cast_signed())
     }
     #[cfg_attr(not(target_os = "none"), inline)]
     fn discriminant(b: Self, a: Self, c: Self) -> Option<Self> {

@@ -6,7 +6,7 @@ use super::vector::{LengthVector, Plan, UnitVector, Vector};
 use super::{Light, Magnitude, Scalar, Unit};
 
 macro_rules! float {
-    ($f:ty, $vec:ty, $sqrt:path, $int:ident, $far:expr, $size:path) => {
+    ($f:ty, $vec:ty, $sqrt:path, $pow:path, $int:ident, $far:expr, $size:path) => {
         impl Unit for $f {
             type Inverse = $f;
             const ZERO: Self = 0.0;
@@ -30,6 +30,9 @@ macro_rules! float {
             }
             fn over(self, divisor: $f) -> Self {
                 self * divisor
+            }
+            fn root(self, part: u32) -> Self {
+                $pow(self, part as $f / 4_294_967_296.0)
             }
             #[cfg_attr(not(target_os = "none"), inline)]
             fn discriminant(b: Self, a: Self, c: Self) -> Option<Self> {
@@ -291,9 +294,9 @@ macro_rules! float {
     };
 }
 
-float!(f32, glam::Vec3, libm::sqrtf, i32, 1e18, size32);
+float!(f32, glam::Vec3, libm::sqrtf, libm::powf, i32, 1e18, size32);
 #[cfg(feature = "f64")]
-float!(f64, glam::DVec3, libm::sqrt, i64, 1e150, size64);
+float!(f64, glam::DVec3, libm::sqrt, libm::pow, i64, 1e150, size64);
 
 /// The size of a number, from its bits (IEEE 754); of one that is not finite, larger than any other.
 const fn size32(value: f32) -> Magnitude {

@@ -1,6 +1,10 @@
 //! Integer arithmetic under the fixed-point formats: reciprocal square root, square root, reciprocal, on words of 32
 //! and 64 bits, with 32 x 32 -> 64 multiplications and no division.
 
+mod exponential;
+
+pub use exponential::{exp2_minus, minus_log2};
+
 /// A positive number `m / 2^(30 + e)`, `m` in [2^30, 2^31], as a reciprocal of an integer between 1 and 2^32.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Reciprocal {

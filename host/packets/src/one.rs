@@ -56,40 +56,11 @@ impl<S: ToF32> Accelerator<S> for &Packets {
         if self.is_too_large {
             return closest_of_lists::<S, N>(world, ray);
         }
-        let mut closest = Closest::new();
-        if let Some(distance) = world.floor::<N>(ray) {
-            closest.offer(Hit { distance, object: Object::Floor });
+        if has_flat::<S, N>(world) {
+            closest_with_flat::<S, N>(self, world, ray)
+        } else {
+            search::<S, N, 0>(self, world, ray)
         }
-        let mut query = Query::new(self, ray, closest.limit());
-        if N::CYLINDERS {
-            for columns in &self.columns {
-                for k in query.meet_columns(columns) {
-                    let Some(&i) = columns.cylinders.get(k) else { continue };
-                    if let Some((distance, _)) = cylinder::<S, N>(world, i, ray, closest.limit()) {
-                        closest.offer(Hit { distance, object: Object::Cylinder(i) });
-                        query.shorten(closest.limit());
-                    }
-                }
-            }
-        }
-        if N::PLANES {
-            for (i, plane) in (0..).zip(world.scene.planes) {
-                if let Some(distance) = plane.intersect(ray, closest.limit()) {
-                    closest.offer(Hit { distance, object: Object::Plane(i) });
-                    query.shorten(closest.limit());
-                }
-            }
-        }
-        if self.nodes.is_empty() {
-            closest_of::<S, N>(world, &self.leaves, ray, &mut query, &mut closest);
-        } else if !closest_seen::<S, N>(self, world, ray, &mut query, &mut closest) {
-            let mut stack = TraversalStack::new();
-            let mut traversal = Traversal::of_all(query, &mut stack);
-            while let Some(leaves) = traversal.leaf() {
-                closest_of::<S, N>(world, leaves, ray, &mut traversal.query, &mut closest);
-            }
-        }
-        closest.seen(&world.scene, ray)
     }
 
     #[inline]
@@ -115,6 +86,64 @@ impl<S: ToF32> Accelerator<S> for &Packets {
         }
         filters.product().unwrap_or_else(|| through_lists::<S, N>(world, ray, t_max))
     }
+}
+
+/// Returns whether flat objects may lie at one place, for which [`Closest`] keeps others; the floor alone is none of them.
+#[inline]
+pub(crate) fn has_flat<S: ToF32, N: Needs>(world: &World<'_, S>) -> bool {
+    N::TRIANGLES && !world.scene.triangles.is_empty() || N::PLANES && !world.scene.planes.is_empty()
+}
+
+/// Returns the nearest hit where flat objects may lie at one place.
+#[inline(never)] // so that the way of the other scenes is short
+fn closest_with_flat<S: ToF32, N: Needs>(
+    packets: &Packets,
+    world: &World<'_, S>,
+    ray: &Ray<S>,
+) -> Option<Hit<S>> {
+    search::<S, N, 3>(packets, world, ray)
+}
+
+#[inline(always)]
+fn search<S: ToF32, N: Needs, const OTHERS: usize>(
+    packets: &Packets,
+    world: &World<'_, S>,
+    ray: &Ray<S>,
+) -> Option<Hit<S>> {
+    let mut closest = Closest::<S, OTHERS>::new();
+    if let Some(distance) = world.floor::<N>(ray) {
+        closest.offer(Hit { distance, object: Object::Floor });
+    }
+    let mut query = Query::new(packets, ray, closest.limit());
+    if N::CYLINDERS {
+        for columns in &packets.columns {
+            for k in query.meet_columns(columns) {
+                let Some(&i) = columns.cylinders.get(k) else { continue };
+                if let Some((distance, _)) = cylinder::<S, N>(world, i, ray, closest.limit()) {
+                    closest.offer(Hit { distance, object: Object::Cylinder(i) });
+                    query.shorten(closest.limit());
+                }
+            }
+        }
+    }
+    if N::PLANES {
+        for (i, plane) in (0..).zip(world.scene.planes) {
+            if let Some(distance) = plane.intersect(ray, closest.limit()) {
+                closest.offer(Hit { distance, object: Object::Plane(i) });
+                query.shorten(closest.limit());
+            }
+        }
+    }
+    if packets.nodes.is_empty() {
+        closest_of::<S, N, _>(world, &packets.leaves, ray, &mut query, &mut closest);
+    } else if !closest_seen::<S, N, _>(packets, world, ray, &mut query, &mut closest) {
+        let mut stack = TraversalStack::new();
+        let mut traversal = Traversal::of_all(query, &mut stack);
+        while let Some(leaves) = traversal.leaf() {
+            closest_of::<S, N, _>(world, leaves, ray, &mut traversal.query, &mut closest);
+        }
+    }
+    closest.seen(&world.scene, ray)
 }
 
 /// Returns the nearest hit, one object after the other.
@@ -180,12 +209,12 @@ impl<S: ToF32> Visit<S> for Distance<'_, S> {
 /// Finds the nearest hit among what is seen from the eye in a ray's direction; false if the ray does not start there, or if
 /// there may be more.
 #[inline(always)]
-fn closest_seen<S: ToF32, N: Needs>(
+fn closest_seen<S: ToF32, N: Needs, const OTHERS: usize>(
     packets: &Packets,
     world: &World<'_, S>,
     ray: &Ray<S>,
     query: &mut Query,
-    closest: &mut Closest<S>,
+    closest: &mut Closest<S, OTHERS>,
 ) -> bool {
     let Some(seen) = packets.light_buffers.eye_sees(&query.ray) else { return false };
     for &candidate in seen.entries {
@@ -194,19 +223,19 @@ fn closest_seen<S: ToF32, N: Needs>(
         }
         // The rest is none of the leaves.
         let Some(leaf) = packets.leaves.get(index(candidate.leaf())) else { return false };
-        closest_of::<S, N>(world, core::slice::from_ref(leaf), ray, query, closest);
+        closest_of::<S, N, _>(world, core::slice::from_ref(leaf), ray, query, closest);
     }
     true
 }
 
 /// Finds the nearest hit in some leaves.
 #[inline(always)]
-fn closest_of<S: ToF32, N: Needs>(
+fn closest_of<S: ToF32, N: Needs, const OTHERS: usize>(
     world: &World<'_, S>,
     leaves: &[Sphere4],
     ray: &Ray<S>,
     query: &mut Query,
-    closest: &mut Closest<S>,
+    closest: &mut Closest<S, OTHERS>,
 ) {
     for leaf in leaves {
         let mask = query.meet::<S>(leaf);

@@ -5,6 +5,7 @@ use core::fmt::{self, Write};
 use rta_core::color::Rgb;
 use rta_core::material::{Finish, Glass, Material};
 use rta_core::needs::Used;
+use rta_core::scalar::Exponent;
 use rta_core::scene::Limits;
 use rta_core::shape::Cone;
 use rta_core::vector::{UnitVec3, Vec3, Vector};
@@ -268,11 +269,17 @@ fn material<S: Literal>(material: &Material<S>) -> String {
         Material::Mirror => "Material::Mirror".into(),
         Material::Transparent(glass) => format!("Material::Transparent({})", self::glass(glass)),
         Material::Finish(Finish { kd, exponent, glass }) => format!(
-            "Material::Finish(Finish {{ kd: {}, exponent: {exponent}, glass: {} }})",
+            "Material::Finish(Finish {{ kd: {}, exponent: {}, glass: {} }})",
             unit::<S>(*kd),
+            self::exponent(*exponent),
             self::glass(glass)
         ),
     }
+}
+
+fn exponent(exponent: Exponent) -> String {
+    let (mantissa, places) = exponent.parts();
+    format!("::rta_core::scalar::Exponent::new({mantissa}, {places})")
 }
 
 fn glass<S: Literal>(glass: &Glass<S>) -> String {

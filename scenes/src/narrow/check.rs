@@ -2,6 +2,7 @@
 
 use rta_core::color::Rgb;
 use rta_core::material::{Finish, Glass, Material};
+use rta_core::scalar::Exponent;
 use rta_core::vector::{Vec3, Vector};
 
 use super::{Narrow, NarrowError};
@@ -77,10 +78,8 @@ impl<S: Narrow> Checker<S> {
                 for coefficient in [kd, ks, kt] {
                     self.at_most("a coefficient", coefficient, S::LARGEST_COLOR)?;
                 }
-                // What is sharper than that is a point in every format.
-                #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // clamped
-                let exponent = exponent.round().clamp(0.0, 1e9) as u32;
-                Material::Finish(Finish { kd: S::unit(kd), exponent, glass: glass::<S>(ks, kt, ior) })
+                let (kd, exponent) = (S::unit(kd), self::exponent(exponent));
+                Material::Finish(Finish { kd, exponent, glass: glass::<S>(ks, kt, ior) })
             }
         })
     }
@@ -97,4 +96,13 @@ impl<S: Narrow> Checker<S> {
 fn glass<S: Narrow>(ks: f64, kt: f64, ior: f64) -> Glass<S> {
     let eta = if ior > 1.0 { 1.0 / ior } else { ior };
     Glass { ks: S::unit(ks), kt: S::unit(kt), eta: S::unit(eta), denser: ior >= 1.0 }
+}
+
+/// Returns the nearest exponent of a highlight, with as many places as there is room for. What is sharper than the sharpest is a
+/// point in every format.
+#[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // below 2^27
+fn exponent(value: f64) -> Exponent {
+    let mantissa = |places: u32| (value * f64::from(1u32 << places)).round();
+    let places = (0..32).rev().find(|&places| mantissa(places) < f64::from(1u32 << 27));
+    Exponent::new(mantissa(places.unwrap_or(0)) as u32, places.unwrap_or(0))
 }

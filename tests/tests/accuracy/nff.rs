@@ -45,16 +45,6 @@ const LIMIT: f64 = 1e-3;
 /// Largest difference of a register between q16 and f64: one level of a VGA's gun.
 const LEVEL: f64 = 1.0 / 63.0;
 
-/// An exponent of highlights that is no whole number, as the Standard Procedural Databases have it, and the whole one that the
-/// program makes of it. Scenes with it are compared with the oracle in both ways, until it is no longer rounded.
-const SHINE: [&str; 2] = [" 3.0827 ", " 3 "];
-
-/// What fails for a reason that is known: the comparison, and the reason. Whoever mends the reason deletes the line: a
-/// comparison that stands here must fail.
-const KNOWN: [(&str, &str); 4] =
-    [("balls2, f64", ROUNDED), ("balls3, f64", ROUNDED), ("balls4, f64", ROUNDED), ("rings, f64", ROUNDED)];
-const ROUNDED: &str = "exponents of highlights are rounded to whole numbers";
-
 /// A comparison: its name, its outcome or why there is none, and the share of pixels that must agree.
 type Outcome = (String, Result<Agreement, String>, f64);
 
@@ -74,17 +64,10 @@ fn compare((path, size, least): Scene) -> Vec<Outcome> {
     let name = file.file_stem().unwrap_or_default().to_string_lossy();
     let scene = Nff::new(path, &text, size);
     let double = scene.program(Format::F64);
-    let mut outcomes = vec![
+    vec![
         (format!("{name}, f64"), agreement(scene.oracle(), &double, LIMIT), LEAST),
         (format!("{name}, q16"), agreement(scene.program(Format::Q16), &double, LEVEL), least),
-    ];
-    let [real, whole] = SHINE;
-    if text.contains(real) {
-        let scene = Nff::new(path, &text.replace(real, whole), size);
-        let agreement = agreement(scene.oracle(), &scene.program(Format::F64), LIMIT);
-        outcomes.push((format!("{name}, f64, Shine{whole}"), agreement, LEAST));
-    }
-    outcomes
+    ]
 }
 
 /// Makes all comparisons, in two threads.
@@ -102,19 +85,14 @@ fn outcomes() -> Vec<Outcome> {
 
 #[test]
 fn scenes_in_nff_agree() {
-    let mut known = KNOWN.to_vec();
     let mut wrong = Vec::new();
     for (name, outcome, least) in outcomes() {
         let passes = outcome.as_ref().is_ok_and(|agreement| agreement.percent >= least);
         let figures = outcome.map_or_else(|why| why, |agreement| agreement.to_string());
         println!("{name:24} {figures}");
-        let reason = known.iter().position(|(listed, _)| *listed == name).map(|at| known.swap_remove(at).1);
-        match (passes, reason) {
-            (true, None) | (false, Some(_)) => {}
-            (false, None) => wrong.push(format!("{name}: {figures}; at least {least} % must agree")),
-            (true, Some(reason)) => wrong.push(format!("{name} passes: delete its line in KNOWN ({reason})")),
+        if !passes {
+            wrong.push(format!("{name}: {figures}; at least {least} % must agree"));
         }
     }
-    wrong.extend(known.iter().map(|(name, _)| format!("{name} is in KNOWN, but is not compared")));
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }

@@ -2,7 +2,7 @@
 #![allow(clippy::float_arithmetic)]
 
 use fastrand::Rng;
-use rta_core::scalar::{Light, Radiance, Unit};
+use rta_core::scalar::{Exponent, Light, Radiance, Unit};
 use rta_core::vector::{LengthVector, UnitVector, Xyz};
 use rta_core::{Q16, Q20, Scalar};
 use rta_scenes::narrow::Narrow;
@@ -88,12 +88,40 @@ fn short_unit_vectors_are_normalised_to_full_precision() {
 }
 
 #[test]
+fn real_powers_are_as_exact_as_whole_ones() {
+    let mut dice = Rng::with_seed(14);
+    let mut worst = [0.0_f64; 3];
+    for _ in 0..100_000 {
+        // Down to 2^-30, where a root is much larger than what it is the root of.
+        let base = Q16::unit(spread(&mut dice, 1e-9, 1.0));
+        let (mantissa, places) = (dice.u32(0..1 << 27), dice.u32(16..32));
+        let exponent = f64::from(mantissa) / f64::from(1u32 << places);
+        let (got, in_f32, in_f64) = (
+            Unit::power(base, Exponent::new(mantissa, places)).to_num::<f64>(),
+            Unit::power(base.to_num::<f32>(), Exponent::new(mantissa, places)),
+            Unit::power(base.to_num::<f64>(), Exponent::new(mantissa, places)),
+        );
+        let exact = base.to_num::<f64>().powf(exponent);
+        let off = (got - exact).abs() / (1.5 * exponent + 16.0) / UNIT_LSB;
+        let single = f64::from(base.to_num::<f32>()).powf(exponent);
+        let off_single = (f64::from(in_f32) - single).abs() / (exponent + 4.0) / f64::from(f32::EPSILON);
+        let off_double = (in_f64 - exact).abs() / (exponent + 4.0) / f64::EPSILON;
+        worst = [worst[0].max(off), worst[1].max(off_single), worst[2].max(off_double)];
+        assert!(worst.iter().all(|&off| off <= 1.0), "{base}^{exponent}: {worst:?}");
+    }
+    for exponent in [Exponent::new(7, 1), Exponent::new(1, 31), Exponent::new(50, 0)] {
+        let powers = [1.0, 0.0].map(|base| Unit::power(Q16::unit(base), exponent).to_num::<f64>());
+        assert_eq!(powers, [1.0, 0.0], "{exponent:?}");
+    }
+}
+
+#[test]
 fn powers_by_squaring_stay_within_an_lsb_for_each_product() {
     let mut dice = Rng::with_seed(4);
     for _ in 0..100_000 {
         let (base, exponent) = (Q16::unit(dice.f64()), dice.u32(0..400));
         let exact = base.to_num::<f64>().powi(exponent.cast_signed());
-        let error = (Unit::power(base, exponent).to_num::<f64>() - exact).abs() / UNIT_LSB;
+        let error = (Unit::power(base, Exponent::new(exponent, 0)).to_num::<f64>() - exact).abs() / UNIT_LSB;
         // Each squaring doubles the relative error and adds half an LSB: 1.5 for each unit of the exponent at worst.
         assert!(error <= 1.5 * f64::from(exponent.max(1)), "{base}^{exponent} is {error} LSB off");
     }

@@ -2,7 +2,7 @@
 
 use glam::{BVec4A, Vec4};
 use rta_core::Scalar;
-use rta_core::accelerator::{Accelerator, Closest};
+use rta_core::accelerator::{Accelerator, STEEPEST, is_flat};
 use rta_core::needs::Needs;
 use rta_core::scene::{Hit, Object};
 use rta_core::shape::Primitive;
@@ -10,41 +10,82 @@ use rta_core::world::World;
 
 use super::geometry::{Ray4, to_floor};
 use super::packet::RayPacket;
-use super::vector::{lane, mask, one, one_mut, one_ref, set};
+use super::vector::{lane, mask, one, one_mut, set};
 use crate::cache::ShadowCache;
 use crate::leaf::{Bits, Sphere4, index};
-use crate::one::distance;
+use crate::one::{distance, has_flat};
 use crate::packets::Packets;
 
 /// The hits that four rays see.
+#[derive(Clone, Copy)]
 pub(crate) struct Hits4 {
     /// How far away; of a ray that meets nothing, [`Scalar::FAR`].
     pub(crate) distance: Vec4,
     pub(crate) objects: [Option<Object>; 4],
 }
 
-/// The hits of four rays: four times [`Closest`].
+/// The hits of four rays so far.
 struct Closest4 {
+    /// The nearest hits; of equally near ones, the first in order.
+    nearest: Hits4,
     /// From where on hits are of no interest; of a ray that is not there, 0.
     limit: Vec4,
-    rays: [Closest<f32>; 4],
+    /// The limit over the distance of the nearest hit: so that an equally near object is not missed, which may come first in order,
+    /// and, where flat objects may lie at one place, none that [`Closest`](rta_core::accelerator::Closest) would keep.
+    reach: f32,
+    /// A bit for each ray that meets two flat objects near one place, and has to look for itself which of them is seen.
+    doubtful: u32,
 }
 
 impl Closest4 {
+    /// Starts with no hit of the rays in `there`.
+    #[inline(always)]
+    fn new(there: u32, has_flat: bool) -> Self {
+        let nearest = Hits4 { distance: Vec4::splat(f32::FAR), objects: [None; 4] };
+        let limit = Vec4::select(mask(there), nearest.distance, Vec4::ZERO);
+        let reach = if has_flat { flat_reach() } else { 1.0 + f32::EPSILON };
+        Self { nearest, limit, reach, doubtful: 0 }
+    }
+
     /// Adds the hits of an object at distances before [`Closest4::limit`].
     #[inline(always)]
     fn offer(&mut self, met: BVec4A, distance: Vec4, object: Object) {
-        for k in Bits(met.bitmask()) {
-            self.offer_one(k, Hit { distance: lane(&distance, k), object });
+        let Hits4 { distance: nearest, objects } = &mut self.nearest;
+        if self.reach > 1.0 + f32::EPSILON && is_flat(object) {
+            let (near, far) = (nearest.min(distance), nearest.max(distance));
+            for k in Bits((met & far.cmplt(near * self.reach)).bitmask()) {
+                self.doubtful |= u32::from(one(objects, k).is_some_and(is_flat)) << k;
+            }
         }
+        let nearer = met & distance.cmplt(*nearest);
+        let mut taken = nearer.bitmask();
+        for k in Bits((met & distance.cmpeq(*nearest)).bitmask()) {
+            taken |= u32::from(one(objects, k).is_none_or(|met| object < met)) << k;
+        }
+        *nearest = Vec4::select(nearer, distance, *nearest);
+        for k in Bits(taken) {
+            *one_mut(objects, k) = Some(object);
+        }
+        self.limit = self.limit.min(*nearest * self.reach);
     }
 
     /// Adds the hit of one ray.
     #[inline(always)]
     fn offer_one(&mut self, k: usize, hit: Hit<f32>) {
-        let ray = one_mut(&mut self.rays, k);
-        ray.offer(hit);
-        set(&mut self.limit, k, ray.limit());
+        self.offer(mask(1 << k), Vec4::splat(hit.distance), hit.object);
+    }
+}
+
+/// Returns [`Closest4::reach`] where flat objects may lie at one place, a little more than what [`Scalar::at_one_place`] gives.
+fn flat_reach() -> f32 {
+    1.0f32.at_one_place(0.0, 1.0 / STEEPEST as f32) + f32::EPSILON
+}
+
+impl Hits4 {
+    #[inline(always)]
+    fn set(&mut self, k: usize, hit: Option<Hit<f32>>) {
+        set(&mut self.distance, k, hit.map_or(f32::FAR, |hit| hit.distance));
+        *one_mut(&mut self.objects, k) = hit.map(|hit| hit.object);
     }
 }
 
@@ -59,8 +100,7 @@ impl Packets {
         (there, are_eyes): (u32, bool),
         cache: &mut ShadowCache,
     ) -> Hits4 {
-        let limit = Vec4::select(mask(there), Vec4::splat(f32::FAR), Vec4::ZERO);
-        let mut closest = Closest4 { limit, rays: core::array::from_fn(|_| Closest::new()) };
+        let mut closest = Closest4::new(there, has_flat::<_, N>(world));
         if N::FLOOR && world.scene.floor.is_some() {
             let (met, distance) = to_floor(rays);
             closest.offer(met & distance.cmplt(closest.limit), distance, Object::Floor);
@@ -70,17 +110,9 @@ impl Packets {
         } else {
             there
         };
-        let mut hits = Hits4 { distance: Vec4::splat(f32::FAR), objects: [None; 4] };
-        for k in Bits(there) {
-            let hit = if left >> k & 1 == 1 {
-                self.closest::<N>(world, &rays.lane(k), cache)
-            } else {
-                one_ref(&closest.rays, k).seen(&world.scene, &rays.lane(k))
-            };
-            if let Some(hit) = hit {
-                set(&mut hits.distance, k, hit.distance);
-                *one_mut(&mut hits.objects, k) = Some(hit.object);
-            }
+        let mut hits = closest.nearest;
+        for k in Bits(left | closest.doubtful) {
+            hits.set(k, self.closest::<N>(world, &rays.lane(k), cache));
         }
         hits
     }

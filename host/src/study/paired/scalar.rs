@@ -151,6 +151,11 @@ impl<U: UnitFormat> Unit for Paired<U> {
             .noted("over", [self.error()])
     }
     #[track_caller]
+    fn root(self, part: u32) -> Self {
+        Self { format: Unit::root(self.format, part), twin: Unit::root(self.twin, part) }
+            .noted("root", [self.error()])
+    }
+    #[track_caller]
     fn quotient(self, divisor: Self) -> Self {
         // Where the format saturates, so does the twin.
         let twin = (self.twin / divisor.twin).clamp(-2.0, 2.0);

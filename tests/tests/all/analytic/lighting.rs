@@ -86,15 +86,18 @@ fn on_top<S: Measure>(
 }
 
 fn whitted<S: Measure>() {
-    let model =
-        |ka: f64, shine: f64, exponent| Whitted::<S> { ka: S::unit(ka), shine: S::unit(shine), exponent };
+    let model = |ka: f64, shine: f64, exponent: u16| Whitted::<S> {
+        ka: S::unit(ka),
+        shine: S::unit(shine),
+        exponent: exponent.into(),
+    };
     let (tint, intensity, ambient) = ([0.9, 0.5, 0.1], [0.8, 0.4, 0.6], [0.1, 0.2, 0.3]);
     for degrees in [0.0_f64, 25.0, 40.0, 70.0] {
         // The halfway vector lies between 40 degrees on one side and these on the other.
         let (nl, nh) = (degrees.to_radians().cos(), ((40.0 - degrees) / 2.0).to_radians().cos());
         for (ka, shine, exponent) in [(1.0, 0.2, 50), (0.5, 0.4, 20), (0.5, 1.0, 1), (1.0, 0.0, 7)] {
             let got = on_top::<S>(model(ka, shine, exponent), Material::Shiny, tint, degrees, 8.0, intensity);
-            let highlight = nh.powi(i32::try_from(exponent).expect("small"));
+            let highlight = nh.powi(exponent.into());
             let want = [0, 1, 2].map(|i| {
                 ambient[i] * tint[i] * ka
                     + (1.0 - shine) * nl * tint[i] * intensity[i]
