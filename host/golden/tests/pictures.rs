@@ -14,7 +14,7 @@ const HASHES: [(&str, Render, u64); 8] = [
     ("hall-22.dat", DEFAULT, 0x79b6_c466_54aa_a1b2),
     ("glass-2.dat", DEFAULT, 0xe712_e4bb_ec7d_a195),
     // Phong, as all NFF.
-    ("balls2.nff", DEFAULT, 0x28f2_6d83_bd9d_75ce),
+    ("balls2.nff", DEFAULT, 0x52d2_8b36_5ba3_11ac),
     // -d graphigs -s 300x200 -t adaptive
     ("glass-2.dat", on(Screen::GRAPHIGS.window(300, 200).with(Table::Adaptive)), 0xa4a1_1d2a_bdb7_ddc6),
     // -d pixrect -s 200x100 -t uniform
