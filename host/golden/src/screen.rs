@@ -25,7 +25,7 @@ pub enum Table {
     Tolerant,
     /// Built while the picture is drawn: [`Adaptive::new`].
     Adaptive,
-    /// The same evenly spaced colours for every picture: [`Uniform`].
+    /// Evenly spaced colours, alike for every picture: [`Uniform`].
     Uniform,
     /// No table: each pixel keeps its own levels, as on a display with direct colour.
     None,
