@@ -1,6 +1,7 @@
 //! The raster, and its pixels as an iterator: a window takes some of them for each frame, firmware takes one between
 //! interrupts, a test collects all.
 
+pub mod lattice;
 pub mod sampling;
 
 use core::iter::FusedIterator;
@@ -60,6 +61,8 @@ pub struct Pixels<'a, S: Scalar, M, N, const STACK: usize, A: Accelerator<S> = L
     x: u32,
     y: u32,
     end: u32,
+    /// The column after the last pixel of the last row, row `end - 1`: less than the width once pixels were taken from the end.
+    right: u32,
     /// What the samples of row `y` have in common: see [`Places::row`].
     row: P::Row<S::Unit>,
     memory: A::Memory,
@@ -109,7 +112,7 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Acceler
     ) -> Self {
         let row = places.row(raster, first.min(raster.height));
         let (end, memory) = (end.min(raster.height), A::Memory::default());
-        Self { tracer, camera, raster, places, x: 0, y: first, end, row, memory }
+        Self { tracer, camera, raster, places, x: 0, y: first, end, right: raster.width, row, memory }
     }
 
     /// Returns the radiance of the next pixel, if there is one; `observer` is told of every ray.
@@ -127,19 +130,41 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Acceler
         if self.y >= self.end {
             return None;
         }
-        let mut sum = Rgb::BLACK;
-        for sample in 0..self.places.samples() {
-            let (right, up) = self.places.place(self.raster, self.row, self.x, sample);
-            let light = tracer.trace(camera.eye, camera.direction(right, up), &mut self.memory, observer);
-            sum = self.places.add(sum, light);
-        }
+        let light = self.pixel(tracer, camera, self.row, self.x, observer);
         self.x += 1;
         if self.x == self.raster.width {
             self.x = 0;
             self.y += 1;
             self.row = self.places.row(self.raster, self.y);
         }
-        Some(self.places.mean(sum))
+        self.meet();
+        Some(light)
+    }
+
+    /// Ends the iteration where its front has reached its back within a row.
+    fn meet(&mut self) {
+        if self.y + 1 == self.end && self.x >= self.right {
+            self.y = self.end;
+        }
+    }
+
+    /// Returns the radiance of the pixel in column `x` of the row that `row` belongs to.
+    #[cfg_attr(not(target_os = "none"), inline(always))]
+    fn pixel<O: Observer<S> + ?Sized>(
+        &mut self,
+        tracer: &Tracer<'_, S, M, N, STACK, A>,
+        camera: &Camera<S>,
+        row: P::Row<S::Unit>,
+        x: u32,
+        observer: &mut O,
+    ) -> Rgb<S::Light> {
+        let mut sum = Rgb::BLACK;
+        for sample in 0..self.places.samples() {
+            let (right, up) = self.places.place(self.raster, row, x, sample);
+            let light = tracer.trace(camera.eye, camera.direction(right, up), &mut self.memory, observer);
+            sum = self.places.add(sum, light);
+        }
+        self.places.mean(sum)
     }
 
     /// Does the work of [`Iterator::fold`]. Tracer and camera are arguments so that the compiler knows that they do not change,
@@ -170,8 +195,10 @@ impl<S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Accelerator
     }
 
     fn size_hint(&self) -> (usize, Option<usize>) {
+        // Each side is below 2^16, so the product is below 2^32.
         let rows = u64::from(self.end.saturating_sub(self.y));
-        let left = rows * u64::from(self.raster.width) - u64::from(self.x);
+        let taken = if rows == 0 { 0 } else { self.x + (self.raster.width - self.right) };
+        let left = rows * u64::from(self.raster.width) - u64::from(taken);
         usize::try_from(left).map_or((usize::MAX, None), |left| (left, Some(left)))
     }
 
@@ -179,6 +206,31 @@ impl<S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Accelerator
         let (tracer, camera) = (self.tracer, self.camera);
         self.each(tracer, camera, init, &mut f)
     }
+}
+
+impl<S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Accelerator<S>, P: Places>
+    DoubleEndedIterator for Pixels<'_, S, M, N, STACK, A, P>
+{
+    /// Returns the last pixel that is left: dithering draws every second row from right to left.
+    fn next_back(&mut self) -> Option<Self::Item> {
+        if self.y >= self.end {
+            return None;
+        }
+        let row = self.places.row(self.raster, self.end - 1);
+        self.right -= 1;
+        let light = self.pixel(self.tracer, self.camera, row, self.right, &mut ());
+        if self.right == 0 {
+            self.right = self.raster.width;
+            self.end -= 1;
+        }
+        self.meet();
+        Some(light)
+    }
+}
+
+impl<S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Accelerator<S>, P: Places>
+    ExactSizeIterator for Pixels<'_, S, M, N, STACK, A, P>
+{
 }
 
 impl<S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Accelerator<S>, P: Places> FusedIterator

@@ -224,3 +224,15 @@ pub const fn expand(level: u8, max: u8) -> u8 {
     // At most (2 * 254 * 255 + 255) / (2 * 255) = 254 for level < max.
     ((2 * 255 * level + max) / (2 * max)).to_le_bytes()[0]
 }
+
+/// Converts `level`, 0..=255, to the nearest of the levels 0..=`max` of a gun. It undoes [`expand`]; `max` is at least 1.
+///
+/// ```
+/// use rta_drivers::display::{expand, reduce};
+/// assert_eq!([reduce(0, 63), reduce(2, 63), reduce(3, 63), reduce(255, 63)], [0, 0, 1, 63]);
+/// assert!((0..=63).all(|level| reduce(expand(level, 63), 63) == level));
+/// ```
+pub const fn reduce(level: u8, max: u8) -> u8 {
+    // At most (2 * 255 * max + 255) / 510 = max.
+    ((2 * level as u32 * max as u32 + 255) / 510).to_le_bytes()[0]
+}

@@ -12,8 +12,10 @@
 //! Each layer knows only the one below it, through a trait:
 //!
 //! ```text
-//! painter     Painter<Display, ColorTable>      rows of gun levels in, a picture out
-//! quantize    ColorTable: Uniform, Adaptive     gun levels to an index of the colour table
+//! painter     Painter<Display, ColorTable, _>   rows of light in, a picture out
+//! dither      Dither: Plain, Diffusion, Ordered spreads what rounding loses over the pixels nearby
+//! quantize    ColorTable: Uniform, Palette,     light to an index of the colour table
+//!             Adaptive
 //! display     Display, ReadBack                 a colour table and a raster of indices
 //!   vga13h      Mode13h          over bus::{Ports, Memory}       registers of a VGA
 //!   graphigs    GraphigsDisplay  over graphigs::Graphigs         calls of the graPHIGS API
@@ -147,6 +149,7 @@
 pub mod bus;
 pub mod checksum;
 pub mod display;
+pub mod dither;
 pub mod graphigs;
 pub mod painter;
 pub mod pixrect;

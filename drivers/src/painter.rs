@@ -1,15 +1,19 @@
-//! Draws rows of gun levels on any display through any colour table.
+//! Draws rows of light on any display through any colour table, dithered or not.
 
 use rta_core::color::Rgb;
 
-use crate::display::Display;
+use crate::display::{Display, reduce};
+use crate::dither::{Dither, Plain};
 use crate::quantize::ColorTable;
 
 /// Pixels quantised and written at a time, in a buffer of as many bytes on the stack.
 const CHUNK: usize = 64;
 
-/// Puts gun levels on a display. It quantises them, loads the entries that the colour table has appended, and writes
+/// Puts light on a display. It quantises it, loads the entries that the colour table has appended, and writes
 /// the pixels, in this order, so that no pixel is ever shown in a colour that is not its own.
+///
+/// How finely the light is to be rounded before, [`Painter::light_max`] says: dithering needs all 8 bits, and a table that is looked up as the
+/// guns show it, no more than their levels.
 ///
 /// ```
 /// use rta_core::color::Rgb;
@@ -21,6 +25,7 @@ const CHUNK: usize = 64;
 /// let mut memory = [0; 0x1_0000];
 /// let screen = Mode13h::program(Vga::new(&mut memory[..])?);
 /// let mut painter = Painter::new(screen, Adaptive::new(256)?)?;
+/// assert_eq!(painter.light_max(), 63);
 /// painter.put_row(0, 100, (0..320_u16).map(|x| Rgb::new((x / 5) as u8, 0, 63)))?;
 /// painter.update()?;
 ///
@@ -31,27 +36,44 @@ const CHUNK: usize = 64;
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
 #[derive(Clone, Debug)]
-pub struct Painter<D, T> {
+pub struct Painter<D, T, H = Plain> {
     display: D,
     table: T,
+    dither: H,
     /// How many entries of the table the display has loaded.
     loaded: usize,
 }
 
 impl<D: Display, T: ColorTable> Painter<D, T> {
-    /// Takes a display and a colour table and loads the entries that the table already has.
+    /// Takes a display and a colour table and loads the entries that the table already has. Nothing is dithered.
     ///
     /// # Errors
     /// Those of [`Display::set_colors`]; among them, the table has more entries than the display's, or levels beyond
     /// its guns.
     pub fn new(display: D, table: T) -> Result<Self, D::Error> {
-        let mut painter = Self { display, table, loaded: 0 };
+        Self::dithered(display, table, Plain)
+    }
+}
+
+impl<D: Display, T: ColorTable, H: Dither> Painter<D, T, H> {
+    /// Takes a display, a colour table and a way of dithering, and loads the entries that the table already has.
+    ///
+    /// # Errors
+    /// Those of [`Painter::new`].
+    pub fn dithered(display: D, table: T, dither: H) -> Result<Self, D::Error> {
+        let mut painter = Self { display, table, dither, loaded: 0 };
         painter.load_new_colors()?;
         Ok(painter)
     }
 
-    /// Draws pixels of row `y` from column `x` to the right, given as gun levels of 0..=`gun_max` of the display. Any
-    /// part of a row may be drawn by one call, also a single pixel.
+    /// Returns the highest level of the light that [`Painter::put_row`] takes: the display's `gun_max`, or 255.
+    pub fn light_max(&self) -> u8 {
+        self.dither.light_max(&self.table, self.display.capabilities().gun_max)
+    }
+
+    /// Draws pixels of row `y` from column `x` to the right, given as levels of 0..=[`light_max`](Painter::light_max). Any
+    /// part of a row may be drawn by one call, also a single pixel, unless [`Diffusion`](crate::dither::Diffusion) asks for whole rows in
+    /// order. The dithering may take the pixels from the end.
     ///
     /// # Errors
     /// Those of [`Display::set_colors`] and [`Display::put_pixels`]; some of the pixels may be drawn then.
@@ -59,23 +81,37 @@ impl<D: Display, T: ColorTable> Painter<D, T> {
         &mut self,
         x: u32,
         y: u32,
-        levels: impl IntoIterator<Item = Rgb<u8>>,
+        light: impl IntoIterator<Item = Rgb<u8>, IntoIter: DoubleEndedIterator + ExactSizeIterator>,
     ) -> Result<(), D::Error> {
-        let mut levels = levels.into_iter();
-        let mut x = x;
+        let gun_max = self.display.capabilities().gun_max;
+        let mut light = light.into_iter();
+        let leftward = self.dither.start_row(x, y, light.len());
+        // No screen has a column u32::MAX, so the display refuses a pixel after saturation.
+        let (mut left, mut right) = (x, x.saturating_add(u32::try_from(light.len()).unwrap_or(u32::MAX)));
         loop {
             let mut indices = heapless::Vec::<u8, CHUNK>::new();
-            for levels in levels.by_ref().take(CHUNK) {
-                // Never full: no more are taken than the buffer holds.
-                let _ = indices.push(self.table.index(levels));
+            let first = left;
+            while !indices.is_full()
+                && let Some(light) = if leftward { light.next_back() } else { light.next() }
+            {
+                let column = if leftward { right.saturating_sub(1) } else { left };
+                let index = self.dither.index(&mut self.table, gun_max, (column, y), light);
+                // Not full, so there is room.
+                let _ = indices.push(index);
+                if leftward {
+                    right = column;
+                } else {
+                    left = left.saturating_add(1);
+                }
             }
             if indices.is_empty() {
                 return Ok(());
             }
             self.load_new_colors()?;
-            self.display.put_pixels(x, y, &indices)?;
-            // No screen has a column u32::MAX, so the display refuses a pixel after saturation.
-            x = x.saturating_add(u32::try_from(indices.len()).unwrap_or(u32::MAX));
+            if leftward {
+                indices.reverse();
+            }
+            self.display.put_pixels(if leftward { right } else { first }, y, &indices)?;
         }
     }
 
@@ -108,12 +144,21 @@ impl<D: Display, T: ColorTable> Painter<D, T> {
         (self.display, self.table)
     }
 
-    /// Loads the entries that the table has appended since the last call.
+    /// Loads the entries that the table has appended since the last call, as levels of the guns.
     fn load_new_colors(&mut self) -> Result<(), D::Error> {
+        let gun_max = self.display.capabilities().gun_max;
+        let as_light = self.table.light_max(gun_max) != gun_max;
         let entries = self.table.entries();
-        if let (Some(new @ [_, ..]), Ok(first)) = (entries.get(self.loaded..), u8::try_from(self.loaded)) {
-            self.display.set_colors(first, new)?;
-            self.loaded = entries.len();
+        while let (Some(new @ [_, ..]), Ok(first)) = (entries.get(self.loaded..), u8::try_from(self.loaded)) {
+            if as_light {
+                let mut levels = heapless::Vec::<_, CHUNK>::new();
+                levels.extend(new.iter().take(CHUNK).map(|entry| entry.map(|level| reduce(level, gun_max))));
+                self.display.set_colors(first, &levels)?;
+                self.loaded += levels.len();
+            } else {
+                self.display.set_colors(first, new)?;
+                self.loaded = entries.len();
+            }
         }
         Ok(())
     }

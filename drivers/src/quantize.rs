@@ -1,22 +1,36 @@
 //! Quantisation: from the levels of three guns to an index of the colour table.
 //!
-//! There are two colour tables. [`Uniform`] is a fixed cube of colours, known before the picture is drawn.
-//! [`Adaptive`], the one of the thesis, is built while the picture is drawn.
+//! There are three kinds of colour tables:
 //!
-//! Entry 0 is black in both. It is the background of a graPHIGS workstation, the border of a VGA screen (attribute
+//! | table | its entries | when they are known |
+//! | --- | --- | --- |
+//! | [`Uniform`] | a cube of evenly spaced levels | before any picture |
+//! | [`Palette`] | means of the picture's colours, by [`variance_cut`] | before the picture is drawn: from samples of it, or from an earlier run, in flash |
+//! | [`Adaptive`], the thesis's | colours of the picture in the order in which they come | as the picture is drawn |
+//!
+//! Entry 0 is black in all of them. It is the background of a graPHIGS workstation, the border of a VGA screen (attribute
 //! register 11h, overscan, is 0) and what cleared memory shows on all three devices. A table that put the first
 //! colour of the picture there would tint all that is not drawn yet.
 //!
-//! The distance of two colours is the squared Euclidean one in gun levels, at most 3 * 255^2. Of equally near entries
+//! The distance of two colours is the squared Euclidean one in levels, at most 3 * 255^2. Of equally near entries
 //! the one of the lowest index is taken, so a picture always gives the same indices.
+//!
+//! A table says in which levels it takes light: [`ColorTable::light_max`]. The uniform table and the thesis's look a colour up as the
+//! guns would show it; a palette takes all 8 bits, and so does everything that is [dithered](crate::dither).
 
 mod adaptive;
+mod cut;
+mod palette;
+mod uniform;
 
 use core::fmt;
 
 use rta_core::color::Rgb;
 
 pub use adaptive::Adaptive;
+pub use cut::{MAX_SAMPLES, variance_cut};
+pub use palette::Palette;
+pub use uniform::Uniform;
 
 /// The most entries that a table can have, because an index is one byte.
 pub const MAX_COLORS: u16 = 256;
@@ -24,11 +38,24 @@ pub const MAX_COLORS: u16 = 256;
 /// Black, which is entry 0 of every table of this module.
 pub const BACKGROUND: Rgb<u8> = Rgb::new(0, 0, 0);
 
-/// A colour table that finds an entry for every colour.
+/// A colour table that finds an entry for every colour. Colours are levels of 0..=[`light_max`](ColorTable::light_max).
 pub trait ColorTable {
-    /// Returns the index of the entry that stands for `levels`. The table may append entries to do so; it never changes
-    /// or removes one.
-    fn index(&mut self, levels: Rgb<u8>) -> u8;
+    /// Returns the highest level of the colours that this table takes and has, on a display whose guns have the levels
+    /// 0..=`gun_max`: that one, or 255.
+    fn light_max(&self, gun_max: u8) -> u8 {
+        gun_max
+    }
+
+    /// Returns the index of the entry that stands for a colour of the picture. The table may append entries to do so; it never
+    /// changes or removes one.
+    fn index(&mut self, color: Rgb<u8>) -> u8;
+
+    /// Returns the index of the entry nearest to a colour that the picture need not have, because dithering has changed it. A table that
+    /// grows with the picture appends an entry for `pixel`, the picture's own colour, first, as [`ColorTable::index`] does.
+    ///
+    /// Both colours have 8 bits a gun, whatever [`ColorTable::light_max`] says: dithering loses its thresholds where they are rounded to
+    /// few levels.
+    fn index_near(&mut self, pixel: Rgb<u8>, color: Rgb<u8>, gun_max: u8) -> u8;
 
     /// Returns the entries so far, at least one and at most [`MAX_COLORS`]. They only grow in number, so the entries
     /// beyond the last length are the new ones; [`crate::painter::Painter`] loads those while the picture is drawn.
@@ -36,8 +63,14 @@ pub trait ColorTable {
 }
 
 impl<T: ColorTable + ?Sized> ColorTable for &mut T {
-    fn index(&mut self, levels: Rgb<u8>) -> u8 {
-        T::index(self, levels)
+    fn light_max(&self, gun_max: u8) -> u8 {
+        T::light_max(self, gun_max)
+    }
+    fn index(&mut self, color: Rgb<u8>) -> u8 {
+        T::index(self, color)
+    }
+    fn index_near(&mut self, pixel: Rgb<u8>, color: Rgb<u8>, gun_max: u8) -> u8 {
+        T::index_near(self, pixel, color, gun_max)
     }
     fn entries(&self) -> &[Rgb<u8>] {
         T::entries(self)
@@ -57,6 +90,11 @@ pub enum TableError {
     },
     /// The guns have no level but 0.
     Guns,
+    /// A colour table is to be made from so many samples: from 1 to [`MAX_SAMPLES`] are possible.
+    Samples {
+        /// The number of samples.
+        samples: usize,
+    },
 }
 
 impl fmt::Display for TableError {
@@ -66,13 +104,16 @@ impl fmt::Display for TableError {
                 write!(f, "a table of {colors} colours: from {min} to {MAX_COLORS} are possible")
             }
             Self::Guns => write!(f, "the guns have no level above 0"),
+            Self::Samples { samples } => {
+                write!(f, "a colour table of {samples} samples: from 1 to {MAX_SAMPLES} are possible")
+            }
         }
     }
 }
 
 impl core::error::Error for TableError {}
 
-/// Returns the squared distance of two colours in squared gun levels, 0..=195075.
+/// Returns the squared distance of two colours in squared levels, 0..=195075.
 pub fn distance(a: Rgb<u8>, b: Rgb<u8>) -> u32 {
     let square = |a: u8, b: u8| {
         let d = u32::from(a.abs_diff(b));
@@ -93,137 +134,4 @@ pub fn nearest(entries: &[Rgb<u8>], levels: Rgb<u8>) -> (u8, u32) {
         }
     }
     best
-}
-
-/// A fixed cube of evenly spaced levels, red x green x blue: 6 x 7 x 6 = 252 entries where there is room for 256
-/// colours, 5 x 5 x 5 = 125 where there is room for 128.
-///
-/// The sides differ by one at most; green, to which the eye is most sensitive, is the first to get one level more. The
-/// entry found for a colour is always the nearest of the cube. The table takes 771 bytes.
-#[derive(Clone, Debug)]
-pub struct Uniform {
-    /// The cube, in which blue varies fastest and red slowest, then unused entries.
-    entries: [Rgb<u8>; MAX_COLORS as usize],
-    /// Levels of each gun in the cube, at least 2.
-    sides: Rgb<u8>,
-}
-
-impl Uniform {
-    /// Makes the largest cube that has at most `colors` entries, for guns of levels 0..=`gun_max`.
-    ///
-    /// # Errors
-    /// [`TableError::Colors`] unless `colors` is 8..=256; [`TableError::Guns`] if `gun_max` is 0.
-    #[allow(
-        clippy::indexing_slicing,
-        reason = "every index is below the length; a constant function cannot iterate"
-    )]
-    pub const fn new(colors: u16, gun_max: u8) -> Result<Self, TableError> {
-        if colors < 8 || colors > MAX_COLORS {
-            return Err(TableError::Colors { colors, min: 8 });
-        }
-        if gun_max == 0 {
-            return Err(TableError::Guns);
-        }
-        // The sides grow by one level in turn (green, red, blue) as long as the cube has at most `colors` entries and
-        // the guns have the levels: up to 7, 6 and 6.
-        let mut sides = [2_u8; 3];
-        let mut raised = 0;
-        let most = gun_max.saturating_add(1);
-        let order = [1, 0, 2];
-        loop {
-            let mut larger = sides;
-            larger[order[raised % 3]] += 1;
-            let size = larger[0] as u16 * larger[1] as u16 * larger[2] as u16;
-            if size > colors || larger[order[raised % 3]] > most {
-                break;
-            }
-            sides = larger;
-            raised += 1;
-        }
-        let sides = Rgb::new(sides[0], sides[1], sides[2]);
-        let (greens, blues) = (sides.g as usize, sides.b as usize);
-        let mut entries = [BACKGROUND; MAX_COLORS as usize];
-        let mut index = 0;
-        while index < sides.r as usize * greens * blues {
-            let step = [index / (greens * blues), index / blues % greens, index % blues];
-            entries[index] = Rgb::new(
-                level(step[0], sides.r, gun_max),
-                level(step[1], sides.g, gun_max),
-                level(step[2], sides.b, gun_max),
-            );
-            index += 1;
-        }
-        Ok(Self { entries, sides })
-    }
-
-    /// Returns how many levels of red, green and blue the cube has, 2..=7 each.
-    pub fn sides(&self) -> Rgb<u8> {
-        self.sides
-    }
-}
-
-/// Returns level number `step` of `side` evenly spaced ones from 0 to `gun_max`, rounded to the nearest. `side` is at
-/// least 2.
-#[allow(clippy::cast_possible_truncation, reason = "a step is below 7, so the quotient is at most gun_max")]
-const fn level(step: usize, side: u8, gun_max: u8) -> u8 {
-    let (step, last, max) = (step as u32, side as u32 - 1, gun_max as u32);
-    ((2 * step * max + last) / (2 * last)) as u8
-}
-
-impl Uniform {
-    /// Returns the index of the entry nearest to `levels`; of equally near ones, that of the lowest index.
-    pub fn nearest(&self, levels: Rgb<u8>) -> u8 {
-        // The cube has every combination of its levels, so the nearest entry is made of the nearest level of each gun.
-        let (green, blue) = (u16::from(self.sides.g), u16::from(self.sides.b));
-        let r = self.step(0, green * blue, levels.r);
-        let g = self.step(1, blue, levels.g);
-        let b = self.step(2, 1, levels.b);
-        // At most 251: the index of the cube's last entry.
-        ((r * green + g) * blue + b).to_le_bytes()[0]
-    }
-
-    /// Returns which of the levels of `gun` (0 is red, 1 green, 2 blue) in the cube is nearest to `wanted`, counted
-    /// from the lowest; of two equally near ones the lower. `stride` is the number of entries from one level to the
-    /// next.
-    // One call for each gun: firmware, where size counts, holds this loop once and not three times.
-    #[cfg_attr(target_os = "none", inline(never))]
-    fn step(&self, gun: usize, stride: u16, wanted: u8) -> u16 {
-        let mut best = (0, u8::MAX);
-        for (step, entry) in (0_u16..).zip(self.entries.iter().step_by(usize::from(stride))) {
-            let level = [entry.r, entry.g, entry.b].get(gun).copied().unwrap_or(0);
-            let d = level.abs_diff(wanted);
-            // The levels of a gun rise until the cube begins anew with level 0, so once the distance no longer shrinks
-            // no later level is nearer.
-            if step > 0 && d >= best.1 {
-                break;
-            }
-            best = (step, d);
-        }
-        best.0
-    }
-
-    /// The entries of the cube.
-    fn cube(&self) -> &[Rgb<u8>] {
-        let len = usize::from(self.sides.r) * usize::from(self.sides.g) * usize::from(self.sides.b);
-        self.entries.get(..len).unwrap_or(&self.entries)
-    }
-}
-
-impl ColorTable for Uniform {
-    fn index(&mut self, levels: Rgb<u8>) -> u8 {
-        self.nearest(levels)
-    }
-    fn entries(&self) -> &[Rgb<u8>] {
-        self.cube()
-    }
-}
-
-/// The cube never changes, so a shared reference to one, in flash for example, is a colour table too.
-impl ColorTable for &Uniform {
-    fn index(&mut self, levels: Rgb<u8>) -> u8 {
-        self.nearest(levels)
-    }
-    fn entries(&self) -> &[Rgb<u8>] {
-        self.cube()
-    }
 }

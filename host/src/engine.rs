@@ -6,6 +6,7 @@
 
 use rta_core::color::Rgb;
 use rta_core::raster::Raster;
+use rta_core::raster::lattice::Lattice;
 use rta_core::sampling::Sampling;
 use rta_packets::picture::{self, Picture, PutRow, Setup};
 use rta_packets::tally::{Rays, Tally};
@@ -89,6 +90,7 @@ trait Rows: Send + Sync {
     fn linear(&self, first: u32, out: &mut [Rgb<f32>]);
     fn levels(&self, first: u32, gun_max: u8, out: &mut [Rgb<u8>]);
     fn preview(&self, raster: Raster, first: u32, gun_max: u8, out: &mut [Rgb<u8>]);
+    fn on_grid(&self, lattice: Lattice, first: u32, out: &mut [Rgb<u8>]);
     fn rays(&self) -> Rays;
     fn probe(&self, x: u32, y: u32) -> Probe;
 }
@@ -107,6 +109,15 @@ impl<S: Narrow> Rows for Box<dyn Picture<S>> {
     fn preview(&self, raster: Raster, first: u32, gun_max: u8, out: &mut [Rgb<u8>]) {
         let rows = |first, end, put: PutRow<S>| self.preview_rows(raster, first, end, put);
         fill::<S, _>(raster, first, out, |light| light.levels(gun_max), rows);
+    }
+
+    fn on_grid(&self, lattice: Lattice, first: u32, out: &mut [Rgb<u8>]) {
+        let count = out.len().div_ceil(lattice.grid().width() as usize);
+        let end = first.saturating_add(u32::try_from(count).unwrap_or(u32::MAX));
+        let mut out = out.iter_mut();
+        self.grid_rows(lattice, first, end, &mut |light| {
+            out.by_ref().take(1).for_each(|pixel| *pixel = light.levels(u8::MAX));
+        });
     }
 
     fn rays(&self) -> Rays {
@@ -188,6 +199,12 @@ impl Engine {
     ) -> Result<(), EngineError> {
         self.rows.preview(Raster::new(size.width(), size.height())?, first, gun_max, out);
         Ok(())
+    }
+
+    /// Fills `out` with the colours, 8 bits a gun, of those of the picture's pixels that are on a grid, from row `first` of the grid on,
+    /// with one sample in the middle of each pixel.
+    pub fn grid_rows(&self, lattice: Lattice, first: u32, out: &mut [Rgb<u8>]) {
+        self.rows.on_grid(lattice, first, out);
     }
 
     /// Traces the pixel in column `x` of row `y` once more and returns what its rays hit and how many there are. Outside of the

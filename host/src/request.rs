@@ -10,11 +10,11 @@ use rta_core::sampling::{Places, Sampling};
 use crate::args::TracingArgs;
 use crate::engine::{Cutoff, Engine, Format, Model, Settings};
 
-use crate::picture::device::Target;
+use crate::picture::coloring::{Coloring, DitherKind};
+use crate::picture::device::{Device, Target};
 use crate::picture::error::PictureError;
 use crate::picture::file::Caption;
 use crate::picture::raster::{Aspect, Size};
-use crate::picture::screen::TableKind;
 use error::RequestError;
 use fit::Fit;
 use scene_file::SceneFile;
@@ -24,8 +24,8 @@ use scene_file::SceneFile;
 pub struct Request {
     /// The display.
     pub target: Target,
-    /// Its colour table; without a device it has no meaning.
-    pub table: TableKind,
+    /// Its colour table and dithering; without a device they have no meaning.
+    pub coloring: Coloring,
     /// Number format.
     pub format: Format,
     /// Illumination model.
@@ -50,10 +50,19 @@ impl TracingArgs {
     #[must_use]
     pub fn request(&self, target: Target) -> Request {
         let Self { format, depth, cutoff, size, aspect, fit, .. } = *self;
-        let table = self.table.unwrap_or(TableKind::Tolerant);
+        let coloring = self.coloring(target);
         let model = self.model.unwrap_or(Model::Rta);
         let sampling = self.samples.sampling(self.jitter);
-        Request { target, table, format, model, depth, cutoff, sampling, size, aspect, fit }
+        Request { target, coloring, format, model, depth, cutoff, sampling, size, aspect, fit }
+    }
+
+    /// Returns the colour table and the dithering: those that look best on the device, unless others are asked for. A table that is asked
+    /// for is not dithered by itself.
+    fn coloring(&self, target: Target) -> Coloring {
+        let best = Coloring::of(target.device().unwrap_or(Device::Vga));
+        let table = self.table.unwrap_or(best.table);
+        let dither = if table == best.table { best.dither } else { DitherKind::None };
+        Coloring { table, dither: self.dither.unwrap_or(dither), samples: self.table_samples }
     }
 
     /// Returns the request of these arguments for a picture of `scene` on `target`.
@@ -61,7 +70,7 @@ impl TracingArgs {
     /// # Errors
     /// [`RequestError::TableWithoutDevice`], and those of [`Request::for_scene`].
     pub fn request_for(&self, target: Target, scene: &SceneFile) -> Result<Request, RequestError> {
-        if target == Target::None && self.table.is_some() {
+        if target == Target::None && (self.table.is_some() || self.dither.is_some()) {
             return Err(RequestError::TableWithoutDevice);
         }
         self.request(target).for_scene(self.model, scene)
@@ -146,9 +155,9 @@ impl Request {
     /// Returns the text that is stored in a picture of `scene`.
     #[must_use]
     pub fn caption(&self, scene: &SceneFile) -> Caption {
-        let Self { target, table, format, model, depth, cutoff, sampling, .. } = self;
+        let Self { target, coloring, format, model, depth, cutoff, sampling, .. } = self;
         let table = match target {
-            Target::On(_) => format!(", {table} colour table"),
+            Target::On(_) => format!(", {coloring}"),
             Target::None => String::new(),
         };
         let mut settings = format!("device {target}{table}, format {format}, model {model}, depth {depth}");
@@ -166,10 +175,11 @@ impl Request {
 #[cfg(test)]
 mod tests {
     use super::Request;
-    use crate::args::ShowArgs;
+    use crate::args::{ShowArgs, TracingArgs};
     use crate::picture::error::PictureError;
     use crate::request::error::RequestError;
 
+    use crate::picture::coloring::{DitherKind, TableKind};
     use crate::picture::device::{Device, Target};
     use crate::picture::raster::Size;
 
@@ -215,5 +225,22 @@ mod tests {
             request(Target::None, Some("1x101"), Some("1")).raster().expect("told").0,
             Size::new(1, 101).expect("small")
         );
+    }
+
+    #[test]
+    fn dithering_follows_the_device_and_the_table() {
+        use DitherKind::{Bayer, Fs, None as Plain};
+        let cases = [
+            (Device::Vga, None, None, TableKind::Sampled, Plain),
+            (Device::Graphigs, None, None, TableKind::Sampled, Fs),
+            (Device::Pixrect, None, Some(Plain), TableKind::Sampled, Plain),
+            (Device::Pixrect, Some(TableKind::Tolerant), None, TableKind::Tolerant, Plain),
+            (Device::Vga, Some(TableKind::Uniform), Some(Bayer), TableKind::Uniform, Bayer),
+        ];
+        for (device, table, dither, want_table, want_dither) in cases {
+            let args = TracingArgs { table, dither, ..TracingArgs::default() };
+            let coloring = args.request(Target::On(device)).coloring;
+            assert_eq!((coloring.table, coloring.dither), (want_table, want_dither), "{device}");
+        }
     }
 }

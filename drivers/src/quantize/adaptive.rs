@@ -3,6 +3,7 @@
 use rta_core::color::Rgb;
 
 use super::{BACKGROUND, ColorTable, MAX_COLORS, TableError, nearest};
+use crate::display::reduce;
 
 /// Entries of the cache of colours already looked up: as many as a hash of one byte can name.
 const SLOTS: usize = 256;
@@ -146,6 +147,20 @@ impl ColorTable for Adaptive {
         };
         self.last = Answer { levels, index };
         index
+    }
+
+    fn index_near(&mut self, pixel: Rgb<u8>, color: Rgb<u8>, gun_max: u8) -> u8 {
+        let _ = self.index(pixel.map(|level| reduce(level, gun_max)));
+        // Distances in 1/255 of a level of the guns, whose squares leave 32 bits.
+        let square = |entry: u8, wanted: u8| {
+            let scaled = |level: u8, by: u8| u32::from(level) * u32::from(by);
+            let d = u64::from(scaled(entry, u8::MAX).abs_diff(scaled(wanted, gun_max)));
+            d * d
+        };
+        let distance =
+            |entry: &Rgb<u8>| square(entry.r, color.r) + square(entry.g, color.g) + square(entry.b, color.b);
+        let nearest = (0..=u8::MAX).zip(self.entries()).min_by_key(|(_, entry)| distance(entry));
+        nearest.map_or(0, |(index, _)| index)
     }
 
     fn entries(&self) -> &[Rgb<u8>] {

@@ -6,20 +6,12 @@ use rta_core::color::Rgb;
 use rta_drivers::display::expand;
 use rta_drivers::quantize::{Adaptive, BACKGROUND, ColorTable, TableError, Uniform, distance, nearest};
 
+use crate::scattered;
+
 /// Every colour whose three levels are multiples of `step` within 0..=`max`.
 fn every(max: u8, step: usize) -> impl Iterator<Item = Rgb<u8>> {
     let levels = move || (0..=max).step_by(step);
     levels().flat_map(move |r| levels().flat_map(move |g| levels().map(move |b| Rgb::new(r, g, b))))
-}
-
-/// Pseudo-random colours with levels of 0..=`max`: a linear congruential generator with a fixed seed.
-fn scattered(count: usize, max: u8) -> Vec<Rgb<u8>> {
-    let mut state = 12345_u32;
-    let mut next = move || {
-        state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
-        u8::try_from((state >> 16) % (u32::from(max) + 1)).unwrap()
-    };
-    (0..count).map(|_| Rgb::new(next(), next(), next())).collect()
 }
 
 #[test]

@@ -10,6 +10,7 @@ use rta_core::illumination::Illumination;
 use rta_core::needs::Everything;
 use rta_core::range::Admitted;
 use rta_core::raster::Raster;
+use rta_core::raster::lattice::Lattice;
 use rta_core::raster::sampling::{Center, Places, Sampling};
 use rta_core::scalar::Unit;
 use rta_core::scene::Limits;
@@ -111,6 +112,19 @@ pub trait Picture<S: Narrow>: Send + Sync {
         for y in first..end.min(raster.height()) {
             for x in 0..raster.width() {
                 observed(self, (x, y), &mut cache, observer);
+            }
+        }
+    }
+
+    /// Calls `put` with the light of the pixels of a grid, one sample in the middle of each, in the rows from `first` to before `end` of
+    /// the grid.
+    fn grid_rows(&self, lattice: Lattice, first: u32, end: u32, put: &mut dyn FnMut(Rgb<S::Light>)) {
+        let (grid, mut cache) = (lattice.grid(), ShadowCache::default());
+        for y in first..end.min(grid.height()) {
+            let row = lattice.row::<S::Unit>(grid, y);
+            for x in 0..grid.width() {
+                let (right, up) = lattice.place(grid, row, x, 0);
+                put(self.sample(right, up, &mut cache, &mut ()));
             }
         }
     }

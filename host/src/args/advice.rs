@@ -29,7 +29,7 @@ const ELSEWHERE: [(&str, &str, &str); 9] = [
     (
         "table",
         "--table uniform chooses the colour table",
-        "palette colors colours colormap colortable color-table dither",
+        "palette colors colours colormap colortable color-table",
     ),
     ("model", "--model phong chooses the illumination", "shader shading lighting illumination"),
     ("format", "--format q16 chooses the number format", "precision number-format fixed fixed-point"),

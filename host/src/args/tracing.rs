@@ -5,8 +5,8 @@ use clap::Args;
 use super::choice;
 use super::scene::ReadingArgs;
 use crate::engine::{Cutoff, Format, MAX_DEPTH, Model};
+use crate::picture::coloring::{Coloring, DitherKind, TableKind};
 use crate::picture::raster::{Aspect, Size};
-use crate::picture::screen::TableKind;
 use crate::request::sampling::Samples;
 
 /// How a picture is traced.
@@ -33,9 +33,15 @@ pub struct TracingArgs {
     /// Jitter the samples, each in its own cell of the grid, by this seed
     #[arg(long, value_name = "SEED", value_parser = choice::whole(0..=u32::MAX))]
     pub jitter: Option<u32>,
-    /// Colour table of the device [default: tolerant]
+    /// Colour table of the device [default: sampled]
     #[arg(short, long, value_enum, ignore_case = true)]
     pub table: Option<TableKind>,
+    /// Dithering of the device's colours [default: none on vga, fs on graphigs and pixrect; none with another --table]
+    #[arg(long, value_enum, ignore_case = true)]
+    pub dither: Option<DitherKind>,
+    /// The most samples of which a sampled colour table is made, as many as a firmware has memory for, 3 bytes each
+    #[arg(long, value_name = "N", default_value_t = Coloring::SAMPLES, value_parser = choice::whole(1..=1_u32 << 20))]
+    pub table_samples: u32,
     /// Pixels of the picture [default: the device's; with --device none those of a .nff, else 320x200]
     ///
     /// On a device the picture is a window in its raster, so it may not be larger, and its pixels keep their
@@ -68,6 +74,8 @@ impl Default for TracingArgs {
             samples: Samples::ONE,
             jitter: None,
             table: None,
+            dither: None,
+            table_samples: Coloring::SAMPLES,
             size: None,
             aspect: None,
             fit: false,

@@ -6,6 +6,7 @@ use std::time::Instant;
 
 use rayon::ThreadPool;
 use rta_core::color::Rgb;
+use rta_core::raster::lattice::Lattice;
 use rta_drivers::checksum::{Checksum, Unseen};
 use rta_drivers::painter::Painter;
 
@@ -25,7 +26,7 @@ use crate::picture::file::{
 };
 use crate::picture::output::{Failure, PictureOutput};
 use crate::picture::raster::Size;
-use crate::picture::screen::{Screen, Table};
+use crate::picture::screen::{Screen, parts};
 use crate::request::Request;
 use crate::request::scene_file::SceneFile;
 
@@ -161,10 +162,12 @@ impl<'a> Work<'a> {
     pub fn displayed(&self) -> Result<Displayed, Error> {
         match self.request.target {
             Target::On(device) => {
-                let mut screen = Screen::new(device, self.request.table, self.size, self.aspect)?;
-                let gun_max = device.capabilities().gun_max;
-                let trace = |first, levels: &mut [_]| self.engine.level_rows(first, gun_max, levels);
-                self.trace(trace, |first, levels| Ok::<_, Error>(screen.put_rows(first, &levels)?))?;
+                let coloring = self.request.coloring;
+                let about = ((device, coloring), (self.size, self.aspect));
+                let mut screen = Screen::new(about.0, about.1, |lattice| self.on_grid(lattice))?;
+                let most = coloring.light_max(device.capabilities());
+                let trace = |first, light: &mut [_]| self.engine.level_rows(first, most, light);
+                self.trace(trace, |first, light| Ok::<_, Error>(screen.put_rows(first, &light)?))?;
                 Ok(screen.picture()?)
             }
             Target::None => {
@@ -181,10 +184,12 @@ impl<'a> Work<'a> {
     /// [`BandsError::Interrupted`], [`PictureError::Memory`] and [`PictureError::Display`].
     pub fn checksum(&self, device: Device) -> Result<u64, Error> {
         let capabilities = device.capabilities();
-        let table = Table(self.request.table.table(capabilities).map_err(PictureError::display)?);
-        let mut painter =
-            Painter::new(Checksum::new(Unseen(capabilities)), table).map_err(PictureError::display)?;
-        let trace = |first, levels: &mut [_]| self.engine.level_rows(first, capabilities.gun_max, levels);
+        let (table, dithering) =
+            parts(device, self.request.coloring, self.size, |lattice| self.on_grid(lattice))?;
+        let unseen = Checksum::new(Unseen(capabilities));
+        let mut painter = Painter::dithered(unseen, table, dithering).map_err(PictureError::display)?;
+        let most = painter.light_max();
+        let trace = |first, light: &mut [_]| self.engine.level_rows(first, most, light);
         self.trace(trace, |first, levels| {
             let rows = (first..).zip(levels.chunks(self.size.columns()));
             rows.into_iter()
@@ -192,6 +197,19 @@ impl<'a> Work<'a> {
                 .map_err(|error| Error::from(PictureError::display(error)))
         })?;
         Ok(painter.display().value())
+    }
+
+    /// Traces the pixels of a grid, of which a colour table is made.
+    fn on_grid(&self, lattice: Lattice) -> Result<Vec<Rgb<u8>>, Error> {
+        let grid = lattice.grid();
+        let size = Size::clamped(grid.width(), grid.height());
+        let (mut pixels, trace) =
+            (Vec::new(), |first, out: &mut [_]| self.engine.grid_rows(lattice, first, out));
+        bands::bands(size, &self.pool, self.stop, trace, |_, band| {
+            pixels.extend(band);
+            Ok::<_, Error>(())
+        })?;
+        Ok(pixels)
     }
 
     /// Traces the picture as linear light before any display.

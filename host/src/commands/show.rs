@@ -22,6 +22,7 @@ use rayon::ThreadPool;
 use crate::engine::bands;
 use crate::engine::{Engine, MAX_DEPTH};
 use crate::error::Error;
+use crate::picture::coloring::Coloring;
 use crate::picture::device::Target;
 use crate::picture::error::PictureError;
 use crate::picture::output;
@@ -32,7 +33,7 @@ use note::Note;
 use pointer::Pointer;
 use reload::Watch;
 use shown::Shown;
-use tracing::{Part, Tracing};
+use tracing::{Asked, Part, Tracing};
 
 /// A change that a key asks for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -45,6 +46,8 @@ pub enum Command {
     Format,
     /// The next colour table.
     Table,
+    /// The next way of dithering.
+    Dither,
     /// One reflection more.
     Deeper,
     /// One reflection fewer.
@@ -85,8 +88,7 @@ impl Work {
         let (size, _) = request.raster()?;
         let engine = Arc::new(request.engine(scene)?);
         let shown = Shown::new(request)?;
-        let gun_max = request.target.device().map_or(u8::MAX, |device| device.capabilities().gun_max);
-        let tracing = Tracing::begin(Arc::clone(&engine), size, gun_max, Arc::clone(pool));
+        let tracing = Tracing::begin(Arc::clone(&engine), Asked::of(request, size), Arc::clone(pool));
         Ok(Self { engine, shown, tracing, took: None, pointer: Pointer::default() })
     }
 }
@@ -177,11 +179,14 @@ impl Show {
         match command {
             Command::Device => {
                 let target = request.target.next();
-                request = Request { target, size: None, aspect: None, ..request };
+                // What looks best on one device does not on another.
+                let coloring = target.device().map_or(request.coloring, Coloring::of);
+                request = Request { target, coloring, size: None, aspect: None, ..request };
             }
             Command::Model => request.model = request.model.next(),
             Command::Format => request.format = request.format.next(),
-            Command::Table => request.table = request.table.next(),
+            Command::Table => request.coloring.table = request.coloring.table.next(),
+            Command::Dither => request.coloring.dither = request.coloring.dither.next(),
             Command::Deeper if request.depth < MAX_DEPTH => request.depth += 1,
             Command::Shallower if request.depth > 0 => request.depth -= 1,
             Command::Deeper | Command::Shallower => return,
@@ -296,7 +301,7 @@ impl Show {
     /// Returns the title: scene, device, format, model, depth and time, and the result of the last key.
     #[must_use]
     pub fn title(&self) -> String {
-        let Request { target, table, format, model, depth, .. } = &self.request;
+        let Request { target, coloring, format, model, depth, .. } = &self.request;
         let title = &self.scene.title;
         let time = match self.work.took {
             Some(took) => format!("{:.2} s", took.as_secs_f64()),
@@ -307,6 +312,10 @@ impl Show {
             }
         };
         let note = self.note.as_ref().map(|note| format!(" | {}", note.text())).unwrap_or_default();
-        format!("rta: {title} | {target} | {format} | {model} | depth {depth} | {table} | {time}{note}")
+        let colors = match target {
+            Target::On(_) => format!("{}, dither {}", coloring.table, coloring.dither),
+            Target::None => "no colour table".into(),
+        };
+        format!("rta: {title} | {target} | {format} | {model} | depth {depth} | {colors} | {time}{note}")
     }
 }

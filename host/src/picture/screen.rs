@@ -5,92 +5,34 @@
 
 use core::fmt;
 
-use clap::ValueEnum;
 use rta_core::color::Rgb;
-use rta_drivers::display::{Capabilities, ReadBack, expand};
+use rta_core::raster::Raster;
+use rta_core::raster::lattice::Lattice;
+use rta_drivers::display::{ReadBack, expand};
 use rta_drivers::graphigs::{self, GraphigsDisplay, emulated::Workstation};
 use rta_drivers::painter::Painter;
 use rta_drivers::pixrect::{self, Cgthree, PixrectDisplay, emulated::Board};
-use rta_drivers::quantize::{Adaptive, ColorTable, TableError, Uniform};
+use rta_drivers::quantize::ColorTable;
 use rta_drivers::vga13h::{self, Mode13h, emulated::Vga};
 
+use super::coloring::{Coloring, Dithering, Table};
 use super::device::Device;
 use super::error::PictureError;
 use super::file::{Displayed, Pixels};
 use super::raster::Size;
 
-/// How the entries of a device's colour table are chosen.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum TableKind {
-    /// The thesis's way to the letter: built while the picture is drawn, the nearest entry once it is full.
-    Adaptive,
-    /// The thesis's way with a small tolerance: what is nearly an entry shares it, so that a smooth sky leaves room
-    /// for what is below it.
-    Tolerant,
-    /// The same evenly spaced colours for every picture.
-    Uniform,
-}
-
-impl TableKind {
-    /// Returns a table of this kind for a device. An adaptive one has only black at first, a uniform one all its entries.
-    ///
-    /// # Errors
-    /// [`TableError`] if the device has too few colours or levels for this kind.
-    pub fn table(self, device: Capabilities) -> Result<Box<dyn ColorTable + Send>, TableError> {
-        let Capabilities { colors, gun_max, .. } = device;
-        Ok(match self {
-            Self::Adaptive => Box::new(Adaptive::new(colors)?),
-            Self::Tolerant => Box::new(Adaptive::tolerant(colors, gun_max)?),
-            Self::Uniform => Box::new(Uniform::new(colors, gun_max)?),
-        })
-    }
-
-    /// Returns the kind after this one, in a circle.
-    #[must_use]
-    pub const fn next(self) -> Self {
-        match self {
-            Self::Adaptive => Self::Tolerant,
-            Self::Tolerant => Self::Uniform,
-            Self::Uniform => Self::Adaptive,
-        }
-    }
-}
-
-impl fmt::Display for TableKind {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Adaptive => "adaptive",
-            Self::Tolerant => "tolerant",
-            Self::Uniform => "uniform",
-        })
-    }
-}
-
-/// A colour table of any kind.
-pub(crate) struct Table(pub(crate) Box<dyn ColorTable + Send>);
-
-impl ColorTable for Table {
-    fn index(&mut self, levels: Rgb<u8>) -> u8 {
-        self.0.index(levels)
-    }
-
-    fn entries(&self) -> &[Rgb<u8>] {
-        self.0.entries()
-    }
-}
-
 /// A painter on any of the devices: the operations that [`Screen`] needs, with one type of error.
 trait Canvas: Send {
-    fn put_row(&mut self, y: u32, levels: &[Rgb<u8>]) -> Result<(), PictureError>;
+    fn put_row(&mut self, y: u32, light: &[Rgb<u8>]) -> Result<(), PictureError>;
     fn update(&mut self) -> Result<(), PictureError>;
     /// Returns the entries made so far, as levels of the guns.
     fn colors(&mut self) -> Result<Vec<Rgb<u8>>, PictureError>;
     fn read_row(&mut self, y: u32, indices: &mut [u8]) -> Result<(), PictureError>;
 }
 
-impl<D: ReadBack<Error: Send + Sync + 'static> + Send> Canvas for Painter<D, Table> {
-    fn put_row(&mut self, y: u32, levels: &[Rgb<u8>]) -> Result<(), PictureError> {
-        Painter::put_row(self, 0, y, levels.iter().copied()).map_err(PictureError::display)
+impl<D: ReadBack<Error: Send + Sync + 'static> + Send> Canvas for Painter<D, Table, Dithering> {
+    fn put_row(&mut self, y: u32, light: &[Rgb<u8>]) -> Result<(), PictureError> {
+        Painter::put_row(self, 0, y, light.iter().copied()).map_err(PictureError::display)
     }
 
     fn update(&mut self) -> Result<(), PictureError> {
@@ -126,25 +68,30 @@ impl fmt::Debug for Screen {
 }
 
 impl Screen {
-    /// Switches `device` on, with a window of `size` pixels that look as on a screen of shape `aspect`.
+    /// Switches `device` on, with a window of `size` pixels that look as on a screen of shape `aspect`. If the colour table is made from
+    /// the picture, `light` is asked for the colours, 8 bits a gun, of the pixels of a grid.
     ///
     /// # Errors
-    /// [`PictureError::LargerThanDevice`], and [`PictureError::Display`] if the emulated device does not start.
-    pub fn new(device: Device, table: TableKind, size: Size, aspect: f64) -> Result<Self, PictureError> {
+    /// [`PictureError::LargerThanDevice`], [`PictureError::Display`] if the emulated device does not start, and those of `light`.
+    pub fn new<E: From<PictureError>>(
+        (device, coloring): (Device, Coloring),
+        (size, aspect): (Size, f64),
+        light: impl FnOnce(Lattice) -> Result<Vec<Rgb<u8>>, E>,
+    ) -> Result<Self, E> {
         let whole = device.size();
         if size.width() > whole.width() || size.height() > whole.height() {
-            return Err(PictureError::LargerThanDevice { size, device });
+            return Err(PictureError::LargerThanDevice { size, device }.into());
         }
-        let table = table.table(device.capabilities()).map_err(PictureError::display)?;
-        Ok(Self { canvas: switch_on(device, Table(table))?, device, size, aspect })
+        let parts = parts(device, coloring, size, light)?;
+        Ok(Self { canvas: switch_on(device, parts)?, device, size, aspect })
     }
 
-    /// Draws whole rows of gun levels, from row `first` down.
+    /// Draws whole rows of light, from row `first` down, in levels of 0..=[`Coloring::light_max`].
     ///
     /// # Errors
     /// [`PictureError::Display`] if there are more rows than the screen has, or levels beyond its guns.
-    pub fn put_rows(&mut self, first: u32, levels: &[Rgb<u8>]) -> Result<(), PictureError> {
-        for (y, row) in (first..).zip(levels.chunks(self.size.columns())) {
+    pub fn put_rows(&mut self, first: u32, light: &[Rgb<u8>]) -> Result<(), PictureError> {
+        for (y, row) in (first..).zip(light.chunks(self.size.columns())) {
             self.canvas.put_row(y, row)?;
         }
         self.canvas.update()
@@ -166,26 +113,46 @@ impl Screen {
     }
 }
 
-fn switch_on(device: Device, table: Table) -> Result<Box<dyn Canvas>, PictureError> {
+/// Returns the colour table and the dithering of a picture on a device.
+///
+/// # Errors
+/// [`PictureError::Display`] if the device has too few colours or levels for them, and those of `light`.
+pub(crate) fn parts<E: From<PictureError>>(
+    device: Device,
+    coloring: Coloring,
+    size: Size,
+    light: impl FnOnce(Lattice) -> Result<Vec<Rgb<u8>>, E>,
+) -> Result<(Table, Dithering), E> {
+    let capabilities = device.capabilities();
+    let raster = Raster::new(size.width(), size.height()).map_err(PictureError::display)?;
+    let lattice = Lattice::new(raster, coloring.samples());
+    let samples = if coloring.samples() == 0 { Vec::new() } else { light(lattice)? };
+    let table =
+        coloring.table(capabilities, &samples, lattice.grid().width()).map_err(PictureError::display)?;
+    let dithering = coloring.dithering(capabilities, size.columns()).map_err(PictureError::display)?;
+    Ok((Table(table), dithering))
+}
+
+fn switch_on(device: Device, parts: (Table, Dithering)) -> Result<Box<dyn Canvas>, PictureError> {
     fn paint(
         display: impl ReadBack<Error: Send + Sync + 'static> + Send + 'static,
-        table: Table,
+        (table, dithering): (Table, Dithering),
     ) -> Result<Box<dyn Canvas>, PictureError> {
-        Ok(Box::new(Painter::new(display, table).map_err(PictureError::display)?))
+        Ok(Box::new(Painter::dithered(display, table, dithering).map_err(PictureError::display)?))
     }
     match device {
         Device::Vga => {
             let board = Vga::new(vec![0; vga13h::emulated::MEMORY_SIZE]).map_err(PictureError::display)?;
-            paint(Mode13h::program(board), table)
+            paint(Mode13h::program(board), parts)
         }
         Device::Graphigs => {
             let workstation = Workstation::new(vec![0; graphigs::emulated::MEMORY_SIZE]);
             let kind = graphigs::emulated::WORKSTATION_TYPE;
-            paint(GraphigsDisplay::open(workstation, "IBM5081", kind).map_err(PictureError::display)?, table)
+            paint(GraphigsDisplay::open(workstation, "IBM5081", kind).map_err(PictureError::display)?, parts)
         }
         Device::Pixrect => {
             let board = Board::new(vec![0; pixrect::emulated::MEMORY_SIZE]).map_err(PictureError::display)?;
-            paint(PixrectDisplay::new(Cgthree::open(board)).map_err(PictureError::display)?, table)
+            paint(PixrectDisplay::new(Cgthree::open(board)).map_err(PictureError::display)?, parts)
         }
     }
 }
@@ -194,12 +161,20 @@ fn switch_on(device: Device, table: Table) -> Result<Box<dyn Canvas>, PictureErr
 mod tests {
     use rta_core::color::Rgb;
 
-    use super::{Screen, TableKind};
+    use super::Screen;
+    use crate::picture::coloring::{Coloring, DitherKind, TableKind};
     use crate::picture::device::Device;
+    use crate::picture::error::PictureError;
     use crate::picture::file::Pixels;
     use crate::picture::raster::Size;
 
     const ALL: [Device; 3] = [Device::Vga, Device::Graphigs, Device::Pixrect];
+
+    /// A screen whose table is not made from the picture.
+    fn screen(device: Device, table: TableKind, size: Size) -> Result<Screen, PictureError> {
+        let coloring = Coloring { table, dither: DitherKind::None, samples: 0 };
+        Screen::new((device, coloring), (size, 1.0), |_| Ok(Vec::new()))
+    }
 
     #[test]
     fn a_picture_comes_back_from_every_device_in_its_own_levels() {
@@ -209,7 +184,7 @@ mod tests {
             {
                 let max = device.capabilities().gun_max;
                 let size = Size::new(2, 2).expect("small");
-                let mut screen = Screen::new(device, table, size, 1.0).expect("it starts");
+                let mut screen = self::screen(device, table, size).expect("it starts");
                 let colors =
                     [Rgb::new(max, 0, 0), Rgb::new(0, max, 0), Rgb::new(0, 0, max), Rgb::new(0, 0, 0)];
                 screen.put_rows(0, &colors).expect("in range");
@@ -228,7 +203,7 @@ mod tests {
         let size = Size::new(256, 1).expect("small");
         let mut entries = Vec::new();
         for table in [TableKind::Adaptive, TableKind::Tolerant] {
-            let mut screen = Screen::new(Device::Pixrect, table, size, 1.0).expect("it starts");
+            let mut screen = self::screen(Device::Pixrect, table, size).expect("it starts");
             let grays: Vec<_> = (0..=255).map(|level| Rgb::new(level, level, level)).collect();
             screen.put_rows(0, &grays).expect("in range");
             let Pixels::Indexed { palette, .. } = screen.picture().expect("it answers").pixels else {
@@ -245,8 +220,8 @@ mod tests {
         for device in ALL {
             let whole = device.size();
             let larger = Size::new(whole.width() + 1, whole.height()).expect("not too large");
-            assert!(Screen::new(device, TableKind::Adaptive, larger, 1.0).is_err());
-            let mut screen = Screen::new(device, TableKind::Adaptive, whole, 1.0).expect("it starts");
+            assert!(screen(device, TableKind::Adaptive, larger).is_err());
+            let mut screen = self::screen(device, TableKind::Adaptive, whole).expect("it starts");
             assert!(screen.put_rows(whole.height(), &[Rgb::default()]).is_err(), "{device}");
             let max = device.capabilities().gun_max;
             if max < u8::MAX {

@@ -11,7 +11,8 @@ pub const KEYS: &str = "\
 D         next device: vga, graphigs, pixrect, none
 M         next illumination model
 F         next number format
-T         next colour table: adaptive, tolerant, uniform
+T         next colour table: sampled, baked, frame, tolerant, adaptive, uniform
+X         next dithering: none, fs, fs7351, bayer
 + -       more or fewer reflections (also up and down)
 R         read the scene file again (a change does so by itself)
 S         save as a PNG once the picture is complete
@@ -46,6 +47,7 @@ impl Press {
             'm' => Self::Do(Command::Model),
             'f' => Self::Do(Command::Format),
             't' => Self::Do(Command::Table),
+            'x' => Self::Do(Command::Dither),
             // The key of + without the shift, on most keyboards.
             '+' | '=' => Self::Do(Command::Deeper),
             '-' => Self::Do(Command::Shallower),

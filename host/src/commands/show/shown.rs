@@ -1,10 +1,12 @@
 //! What is to be seen: the rows of the picture that are there, read back from the device, and below them the finest preview.
 
 use rta_core::color::Rgb;
-use rta_drivers::display::expand;
+use rta_drivers::quantize::BACKGROUND;
 
 use super::tracing::Part;
 use crate::error::Error;
+use crate::picture::coloring::Coloring;
+use crate::picture::device::Device;
 use crate::picture::error::PictureError;
 use crate::picture::file::{Displayed, Pixels};
 use crate::picture::raster::Size;
@@ -22,10 +24,11 @@ struct Preview {
 /// The picture as far as it has been traced.
 #[derive(Debug)]
 pub struct Shown {
-    /// The device; none if every pixel keeps its own colour.
+    /// The device, if there is one, and its colour table; none if every pixel keeps its own colour.
+    display: Option<(Device, Coloring)>,
+    /// The device once its colour table is known.
     screen: Option<Screen>,
     picture: Displayed,
-    gun_max: u8,
     /// Rows of the picture that are there.
     rows: u32,
     /// From coarse to fine.
@@ -41,21 +44,31 @@ impl Shown {
     /// Those of [`Request::raster`], [`PictureError::Display`] if the device does not start, and [`PictureError::Memory`].
     pub fn new(request: &Request) -> Result<Self, Error> {
         let (size, aspect) = request.raster()?;
-        let (screen, gun_max, pixels) = match request.target.device() {
-            Some(device) => {
-                let screen = Screen::new(device, request.table, size, aspect)?;
-                let nothing = Pixels::Indexed { palette: Vec::new(), indices: Vec::new() };
-                (Some(screen), device.capabilities().gun_max, nothing)
-            }
+        let pixels = match request.target.device() {
+            Some(_) => Pixels::Indexed { palette: vec![BACKGROUND], indices: vec![0; size.pixels()] },
             None => {
                 let mut pixels = Vec::new();
                 pixels.try_reserve_exact(size.pixels()).map_err(|_| PictureError::Memory(size))?;
-                (None, u8::MAX, Pixels::Direct(pixels))
+                Pixels::Direct(pixels)
             }
         };
         let picture = Displayed { size, aspect, pixels };
-        let stale = screen.is_some();
-        Ok(Self { screen, picture, gun_max, rows: 0, previews: Vec::new(), stale })
+        let display = request.target.device().map(|device| (device, request.coloring));
+        let mut shown = Self { display, screen: None, picture, rows: 0, previews: Vec::new(), stale: false };
+        if request.coloring.samples() == 0 {
+            shown.switch_on(Vec::new())?;
+        }
+        Ok(shown)
+    }
+
+    /// Switches the device on, if there is one, with a colour table that is made from samples.
+    fn switch_on(&mut self, samples: Vec<Rgb<u8>>) -> Result<(), Error> {
+        if let Some(display) = self.display {
+            let Displayed { size, aspect, .. } = self.picture;
+            self.screen = Some(Screen::new(display, (size, aspect), |_| Ok::<_, Error>(samples))?);
+            self.stale = true;
+        }
+        Ok(())
     }
 
     /// Takes rows that have been traced.
@@ -63,14 +76,18 @@ impl Shown {
     /// # Errors
     /// [`PictureError::Display`] if the device refuses them.
     pub fn put(&mut self, part: Part) -> Result<(), Error> {
-        let Part::Rows { size, first, levels } = part else { return Ok(()) };
+        let (size, first, levels) = match part {
+            Part::Rows { size, first, levels } => (size, first, levels),
+            Part::Samples(samples) => return self.switch_on(samples),
+            Part::Complete(_) => return Ok(()),
+        };
         if size != self.picture.size {
             if first == 0 {
                 self.previews.push(Preview { size, colors: Vec::with_capacity(size.pixels()) });
             }
-            let gun_max = self.gun_max;
-            let colors = levels.into_iter().map(|levels| levels.map(|level| expand(level, gun_max)));
-            self.previews.last_mut().into_iter().for_each(|preview| preview.colors.extend(colors.clone()));
+            if let Some(preview) = self.previews.last_mut() {
+                preview.colors.extend(levels);
+            }
             return Ok(());
         }
         let count = levels.len() / size.columns();
@@ -171,7 +188,7 @@ mod tests {
 
     #[test]
     fn what_is_finer_hides_what_is_coarser_row_by_row() {
-        for (target, full, half) in [(Target::None, 255, 128), (Target::On(Device::Vga), 63, 32)] {
+        for (target, full, half) in [(Target::None, 255, 128), (Target::On(Device::Vga), 255, 128)] {
             let mut shown = shown(target);
             let red = |shown: &Shown| -> Vec<u8> { (0..4).map(|y| shown.color(0, y).r).collect() };
             assert_eq!(red(&shown), [0; 4]);
@@ -191,6 +208,7 @@ mod tests {
             near(red(&shown), [bright(half); 4]);
             shown.put(rows(2, 0, &[full, 0])).expect("taken");
             near(red(&shown), [bright(full), bright(full), bright(half), bright(half)]);
+            shown.put(Part::Samples(vec![Rgb::new(255, 0, 0)])).expect("taken");
             shown.put(rows(4, 0, &[0; 4])).expect("taken");
             shown.refresh().expect("it answers");
             near(red(&shown), [0, bright(full), bright(half), bright(half)]);

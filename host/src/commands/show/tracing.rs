@@ -8,10 +8,13 @@ use std::time::Instant;
 
 use rayon::ThreadPool;
 use rta_core::color::Rgb;
+use rta_core::raster::Raster;
+use rta_core::raster::lattice::Lattice;
 
 use crate::engine::Engine;
 use crate::engine::bands::{self, BandsError};
 use crate::picture::raster::Size;
+use crate::request::Request;
 
 /// The first preview has about this many pixels along its longer side: it is there at once.
 const COARSEST: u32 = 40;
@@ -30,9 +33,12 @@ pub enum Part {
         size: Size,
         /// The first row.
         first: u32,
-        /// Levels of the guns.
+        /// Levels: of a preview 0..=255; of the picture those that its device takes.
         levels: Vec<Rgb<u8>>,
     },
+    /// The pixels of a grid, 8 bits a gun, of which the device's colour table is to be made. They come before the first row of the
+    /// picture, and none come for a table that is not made from the picture.
+    Samples(Vec<Rgb<u8>>),
     /// The picture is complete. It has taken this long, without its previews.
     Complete(Duration),
 }
@@ -50,9 +56,35 @@ impl Drop for Tracing {
     }
 }
 
+/// What is to be traced.
+#[derive(Clone, Copy, Debug)]
+pub struct Asked {
+    /// Pixels of the picture.
+    size: Size,
+    /// The highest level of its light.
+    light_max: u8,
+    /// The grid whose pixels are needed before the first row.
+    samples: Option<Lattice>,
+}
+
+impl Asked {
+    /// Returns what is to be traced for the picture of `request`, whose size is `size`.
+    #[must_use]
+    pub fn of(request: &Request, size: Size) -> Self {
+        let coloring = request.coloring;
+        let device = request.target.device();
+        let light_max = device.map_or(u8::MAX, |device| coloring.light_max(device.capabilities()));
+        let is_sampled = device.is_some() && coloring.samples() > 0;
+        let raster = Raster::new(size.width(), size.height()).ok().filter(|_| is_sampled);
+        let samples = raster.map(|raster| Lattice::new(raster, coloring.samples()));
+        Self { size, light_max, samples }
+    }
+}
+
 impl Tracing {
-    /// Begins to trace a picture of `size` pixels, as levels `0..=gun_max`.
-    pub fn begin(engine: Arc<Engine>, size: Size, gun_max: u8, pool: Arc<ThreadPool>) -> Self {
+    /// Begins to trace a picture.
+    pub fn begin(engine: Arc<Engine>, asked: Asked, pool: Arc<ThreadPool>) -> Self {
+        let Asked { size, light_max, samples } = asked;
         let (sender, parts) = mpsc::channel();
         let stop = Arc::new(AtomicBool::new(false));
         let stopped = Arc::clone(&stop);
@@ -62,13 +94,23 @@ impl Tracing {
                 for size in previews(size) {
                     // The tracer has a raster of every size that is smaller than the picture's.
                     let trace = |first, levels: &mut [_]| {
-                        let _ = engine.preview_rows(size, first, gun_max, levels);
+                        let _ = engine.preview_rows(size, first, u8::MAX, levels);
                     };
                     let deliver = |first, levels| send(Part::Rows { size, first, levels });
                     bands::bands(size, &pool, &stopped, trace, deliver)?;
                 }
                 let began = Instant::now();
-                let trace = |first, levels: &mut [_]| engine.level_rows(first, gun_max, levels);
+                if let Some(lattice) = samples {
+                    let (grid, mut pixels) = (lattice.grid(), Vec::new());
+                    let size = Size::clamped(grid.width(), grid.height());
+                    let trace = |first, levels: &mut [_]| engine.grid_rows(lattice, first, levels);
+                    bands::bands(size, &pool, &stopped, trace, |_, band| {
+                        pixels.extend(band);
+                        Ok::<_, BandsError>(())
+                    })?;
+                    send(Part::Samples(pixels))?;
+                }
+                let trace = |first, levels: &mut [_]| engine.level_rows(first, light_max, levels);
                 let deliver = |first, levels| send(Part::Rows { size, first, levels });
                 bands::bands(size, &pool, &stopped, trace, deliver)?;
                 send(Part::Complete(began.elapsed()))

@@ -3,11 +3,12 @@
 use rta_core::color::Rgb;
 
 use super::measure::Difference;
+use crate::picture::coloring::{Coloring, on_grid};
 use crate::picture::device::Device;
 use crate::picture::error::PictureError;
 use crate::picture::file::Pixels;
 use crate::picture::raster::Size;
-use crate::picture::screen::{Screen, TableKind};
+use crate::picture::screen::Screen;
 
 /// Returns how far the picture that a device shows is from the linear light it is sent, in levels of its guns. The picture fills
 /// a screen of the shape `aspect : 1`.
@@ -20,9 +21,13 @@ pub fn error(
     picture: &[Rgb<f32>],
 ) -> Result<Difference, PictureError> {
     let most = device.capabilities().gun_max;
-    let levels: Vec<_> = picture.iter().map(|light| light.levels(most)).collect();
-    let mut screen = Screen::new(device, TableKind::Tolerant, size, aspect)?;
-    screen.put_rows(0, &levels)?;
+    let coloring = Coloring::of(device);
+    let sent: Vec<_> =
+        picture.iter().map(|light| light.levels(coloring.light_max(device.capabilities()))).collect();
+    let mut screen = Screen::new((device, coloring), (size, aspect), |lattice| {
+        Ok::<_, PictureError>(on_grid(&sent, size, lattice))
+    })?;
+    screen.put_rows(0, &sent)?;
     let shown: Vec<_> = match screen.picture()?.pixels {
         Pixels::Direct(pixels) => pixels.into_iter().map(|color| light(color, most)).collect(),
         Pixels::Indexed { palette, indices } => {

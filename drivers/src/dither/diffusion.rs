@@ -1,0 +1,146 @@
+//! Error diffusion: what rounding loses of a pixel goes to its neighbours that are drawn later.
+
+use core::fmt;
+
+use rta_core::color::Rgb;
+
+use super::{Dither, entry};
+use crate::quantize::ColorTable;
+
+/// Which parts of a pixel's error its neighbours get, in sixteenths.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Weights {
+    /// The next pixel of the row.
+    pub ahead: u8,
+    /// Of the next row, the pixel behind, to the side from which the pixels come.
+    pub behind: u8,
+    /// Of the next row, the pixel ahead.
+    pub below_ahead: u8,
+    /// All together, with the pixel below, which gets the rest.
+    pub sum: u8,
+}
+
+impl Weights {
+    /// Those of R. Floyd and L. Steinberg, "An Adaptive Algorithm for Spatial Grey Scale", Proceedings of the Society for Information Display
+    /// 17, 2, 1976: 7, 3, 5 and 1 sixteenths, the whole error. Best with evenly spaced tables.
+    pub const FLOYD_STEINBERG: Self = Self { ahead: 7, behind: 3, below_ahead: 1, sum: 16 };
+    /// 6, 3, 4 and 1 sixteenths. An eighth of the error is lost, so that no error wanders far through a picture whose table has nothing
+    /// near: fewer stray dots with irregular tables.
+    pub const DAMPED: Self = Self { ahead: 6, behind: 3, below_ahead: 1, sum: 14 };
+}
+
+/// Error diffusion, row by row and each row in the direction opposite to the one before.
+///
+/// Rows must be whole and come in order, from top to bottom. A row that does not follow the one before, or is not of its length,
+/// begins a new picture.
+///
+/// `M` is memory for the errors of a row, one [`Rgb<i8>`] a pixel: an array, a `Vec`, or a slice.
+#[derive(Clone, Debug)]
+pub struct Diffusion<M> {
+    weights: Weights,
+    /// For each column the error that comes down to it from the row before; to the columns that are already drawn, that which this row
+    /// sends down.
+    errors: M,
+    /// The column of the row's first pixel, its length, and the row after it: what the next row must have.
+    follows: Option<(u32, u32, usize)>,
+    /// Whether this row is drawn from right to left.
+    leftward: bool,
+    /// What the last pixel sends to the next one of its row.
+    ahead: Rgb<i16>,
+    /// What the last pixel sends to the one below the next.
+    below_ahead: Rgb<i16>,
+}
+
+/// The memory for error diffusion is too small.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct DitherError {
+    /// Pixels of a row for which there is memory.
+    pub memory: usize,
+    /// Pixels of a row.
+    pub width: usize,
+}
+
+impl fmt::Display for DitherError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { memory, width } = self;
+        write!(f, "error diffusion over rows of {width} pixels has memory for {memory}")
+    }
+}
+
+impl core::error::Error for DitherError {}
+
+impl<M: AsMut<[Rgb<i8>]>> Diffusion<M> {
+    /// Makes the dithering for rows of at most `width` pixels, with memory for as many or more. What is in the memory does not matter.
+    ///
+    /// # Errors
+    /// [`DitherError`] if the memory is too small. Of a row that is longer all the same, the pixels beyond it are not dithered from row
+    /// to row.
+    pub fn new(weights: Weights, mut errors: M, width: usize) -> Result<Self, DitherError> {
+        let memory = errors.as_mut().len();
+        if memory < width {
+            return Err(DitherError { memory, width });
+        }
+        Ok(Self {
+            weights,
+            errors,
+            follows: None,
+            leftward: false,
+            ahead: Rgb::new(0, 0, 0),
+            below_ahead: Rgb::new(0, 0, 0),
+        })
+    }
+}
+
+impl<M: AsMut<[Rgb<i8>]>> Dither for Diffusion<M> {
+    fn start_row(&mut self, x: u32, y: u32, len: usize) -> bool {
+        if self.follows == Some((x, y, len)) {
+            self.leftward = !self.leftward;
+        } else {
+            self.leftward = false;
+            self.errors.as_mut().fill(Rgb::new(0, 0, 0));
+        }
+        self.follows = Some((x, y.saturating_add(1), len));
+        (self.ahead, self.below_ahead) = (Rgb::new(0, 0, 0), Rgb::new(0, 0, 0));
+        self.leftward
+    }
+
+    fn index<T: ColorTable + ?Sized>(
+        &mut self,
+        table: &mut T,
+        gun_max: u8,
+        (x, _): (u32, u32),
+        light: Rgb<u8>,
+    ) -> u8 {
+        let at = x.wrapping_sub(self.follows.map_or(0, |(left, ..)| left)) as usize;
+        let errors = self.errors.as_mut();
+        let here = errors.get(at).copied().unwrap_or(Rgb::new(0, 0, 0));
+        let error = here.zip(self.ahead, |above, ahead| i16::from(above) + ahead);
+        // At most 255 + 127 + 112 in size.
+        let wanted =
+            light.zip(error, |level, error| (i16::from(level) + error).clamp(0, 255).to_le_bytes()[0]);
+        let (index, shown) = entry(table, gun_max, light, wanted);
+        let lost = wanted.zip(shown, |wanted, shown| i16::from(wanted) - i16::from(shown));
+        let Weights { ahead, behind, below_ahead, sum } = self.weights;
+        let part = |weight: u8| lost.map(|lost| (i16::from(weight) * lost) >> 4);
+        self.ahead = part(ahead);
+        let (behind_part, next) = (part(behind), part(below_ahead));
+        // The rest, so that no more is lost by rounding than the weights say.
+        let given = self.ahead.zip(behind_part, |a, b| a + b).zip(next, |a, b| a + b);
+        let below = part(sum).zip(given, |all, given| all - given).zip(self.below_ahead, |a, b| a + b);
+        self.below_ahead = next;
+        if let Some(here) = errors.get_mut(at) {
+            *here = below.map(saturated);
+        }
+        let behind = if self.leftward { at.wrapping_add(1) } else { at.wrapping_sub(1) };
+        if let Some(behind) = errors.get_mut(behind) {
+            *behind = behind.zip(behind_part, |so_far, more| saturated(i16::from(so_far) + more));
+        }
+        index
+    }
+}
+
+/// Returns the nearest number of 8 bits. Errors are nearly always within them: a table has entries that near to most colours.
+fn saturated(error: i16) -> i8 {
+    // Clamped, it is its low byte.
+    error.clamp(i8::MIN.into(), i8::MAX.into()).to_le_bytes()[0].cast_signed()
+}
