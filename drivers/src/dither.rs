@@ -4,7 +4,7 @@
 //! | dithering | memory | |
 //! | --- | --- | --- |
 //! | [`Plain`] | none | none: each pixel gets its nearest entry |
-//! | [`Diffusion`] | 3 bytes for each pixel of a row | the error of a pixel goes to its neighbours that are drawn later |
+//! | [`Diffusion`] | 4 bytes for each pixel of a row | the error of a pixel goes to its neighbours that are drawn later |
 //! | [`Ordered`] | none | a fixed pattern of thresholds |
 //!
 //! Which is best depends on the table and on how large the pixels are to the eye. With a table made for the picture
@@ -22,7 +22,7 @@ use rta_core::color::Rgb;
 use crate::display::expand;
 use crate::quantize::ColorTable;
 
-pub use diffusion::{Diffusion, DitherError, Weights};
+pub use diffusion::{Cell, Diffusion, DitherError, Weights};
 pub use ordered::{Ordered, bayer, ordered};
 
 /// A way of dithering, as [`Painter`](crate::painter::Painter) uses it.
@@ -33,7 +33,8 @@ pub trait Dither {
         u8::MAX
     }
 
-    /// Begins a row of `len` pixels from column `x` of row `y`. Returns whether its pixels are to come from right to left.
+    /// Begins a row of `len` pixels from column `x` of row `y`. Returns whether its pixels are to come from right to left; then
+    /// [`Dither::drawn`] tells their entries after the last one.
     fn start_row(&mut self, x: u32, y: u32, len: usize) -> bool {
         let _ = (x, y, len);
         false
@@ -47,6 +48,12 @@ pub trait Dither {
         place: (u32, u32),
         light: Rgb<u8>,
     ) -> u8;
+
+    /// Returns the entry of the pixel at column `x` of a row that came from right to left.
+    fn drawn(&self, x: u32) -> u8 {
+        let _ = x;
+        0
+    }
 }
 
 /// No dithering: each pixel gets the entry nearest to it.

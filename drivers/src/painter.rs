@@ -87,31 +87,37 @@ impl<D: Display, T: ColorTable, H: Dither> Painter<D, T, H> {
         let mut light = light.into_iter();
         let leftward = self.dither.start_row(x, y, light.len());
         // No screen has a column u32::MAX, so the display refuses a pixel after saturation.
-        let (mut left, mut right) = (x, x.saturating_add(u32::try_from(light.len()).unwrap_or(u32::MAX)));
+        let (mut x, right) = (x, x.saturating_add(u32::try_from(light.len()).unwrap_or(u32::MAX)));
+        if leftward {
+            let mut x = right;
+            while let Some(light) = light.next_back() {
+                x = x.saturating_sub(1);
+                self.dither.index(&mut self.table, gun_max, (x, y), light);
+            }
+        }
         loop {
             let mut indices = heapless::Vec::<u8, CHUNK>::new();
-            let first = left;
-            while !indices.is_full()
-                && let Some(light) = if leftward { light.next_back() } else { light.next() }
-            {
-                let column = if leftward { right.saturating_sub(1) } else { left };
-                let index = self.dither.index(&mut self.table, gun_max, (column, y), light);
+            let first = x;
+            // A display is sent each row from left to right, whichever way it was dithered: not every one can be addressed freely.
+            while !indices.is_full() {
+                let index = if leftward {
+                    if x == right {
+                        break;
+                    }
+                    self.dither.drawn(x)
+                } else {
+                    let Some(light) = light.next() else { break };
+                    self.dither.index(&mut self.table, gun_max, (x, y), light)
+                };
                 // Not full, so there is room.
                 let _ = indices.push(index);
-                if leftward {
-                    right = column;
-                } else {
-                    left = left.saturating_add(1);
-                }
+                x = x.saturating_add(1);
             }
             if indices.is_empty() {
                 return Ok(());
             }
             self.load_new_colors()?;
-            if leftward {
-                indices.reverse();
-            }
-            self.display.put_pixels(if leftward { right } else { first }, y, &indices)?;
+            self.display.put_pixels(first, y, &indices)?;
         }
     }
 

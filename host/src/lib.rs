@@ -29,7 +29,7 @@ pub mod study;
 // Short paths to what tests and benchmarks use.
 pub use commands::{render, show};
 pub use engine::bands;
-pub use picture::{device, raster, screen};
+pub use picture::{coloring, device, raster, screen};
 pub use request::sampling;
 pub use study::{bench, paired, report, stability};
 

@@ -16,6 +16,7 @@ use std::path::{Path, PathBuf};
 use core::sync::atomic::AtomicBool;
 
 use rta::args::ShowArgs;
+use rta::coloring::{Coloring, DitherKind, TableKind};
 use rta::device::{Device, Target};
 use rta::engine::{Format, Model};
 use rta::error::Error;
@@ -24,7 +25,6 @@ use rta::picture::{Displayed, Pixels};
 use rta::render::Work;
 use rta::request::Request;
 use rta::scene::Scene;
-use rta::screen::TableKind;
 use rta_core::color::Rgb;
 
 use crate::exact::shipped_scene;
@@ -86,7 +86,7 @@ impl Indexed {
 #[must_use]
 pub fn request(device: Device, format: Format) -> Request {
     Request {
-        table: TableKind::Adaptive,
+        coloring: Coloring { table: TableKind::Adaptive, dither: DitherKind::None, samples: 0 },
         format,
         model: Model::Rta,
         depth: 5,

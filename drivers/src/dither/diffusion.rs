@@ -29,18 +29,25 @@ impl Weights {
     pub const DAMPED: Self = Self { ahead: 6, behind: 3, below_ahead: 1, sum: 14 };
 }
 
+/// What error diffusion keeps of a column of the picture: 4 bytes.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Cell {
+    /// The error that comes down to it from the row before or, once the column is drawn, that which this row sends down.
+    error: Rgb<i8>,
+    /// The entry of its pixel in this row.
+    index: u8,
+}
+
 /// Error diffusion, row by row and each row in the direction opposite to the one before.
 ///
 /// Rows must be whole and come in order, from top to bottom. A row that does not follow the one before, or is not of its length,
 /// begins a new picture.
 ///
-/// `M` is memory for the errors of a row, one [`Rgb<i8>`] a pixel: an array, a `Vec`, or a slice.
+/// `M` is memory for a row, one [`Cell`] a pixel: an array, a `Vec`, or a slice.
 #[derive(Clone, Debug)]
 pub struct Diffusion<M> {
     weights: Weights,
-    /// For each column the error that comes down to it from the row before; to the columns that are already drawn, that which this row
-    /// sends down.
-    errors: M,
+    cells: M,
     /// The column of the row's first pixel, its length, and the row after it: what the next row must have.
     follows: Option<(u32, u32, usize)>,
     /// Whether this row is drawn from right to left.
@@ -69,20 +76,20 @@ impl fmt::Display for DitherError {
 
 impl core::error::Error for DitherError {}
 
-impl<M: AsMut<[Rgb<i8>]>> Diffusion<M> {
+impl<M: AsRef<[Cell]> + AsMut<[Cell]>> Diffusion<M> {
     /// Makes the dithering for rows of at most `width` pixels, with memory for as many or more. What is in the memory does not matter.
     ///
     /// # Errors
-    /// [`DitherError`] if the memory is too small. Of a row that is longer all the same, the pixels beyond it are not dithered from row
-    /// to row.
-    pub fn new(weights: Weights, mut errors: M, width: usize) -> Result<Self, DitherError> {
-        let memory = errors.as_mut().len();
+    /// [`DitherError`] if the memory is too small. Of a row that is longer all the same, the pixels beyond the memory send nothing down, and
+    /// it comes from left to right.
+    pub fn new(weights: Weights, cells: M, width: usize) -> Result<Self, DitherError> {
+        let memory = cells.as_ref().len();
         if memory < width {
             return Err(DitherError { memory, width });
         }
         Ok(Self {
             weights,
-            errors,
+            cells,
             follows: None,
             leftward: false,
             ahead: Rgb::new(0, 0, 0),
@@ -91,13 +98,20 @@ impl<M: AsMut<[Rgb<i8>]>> Diffusion<M> {
     }
 }
 
-impl<M: AsMut<[Rgb<i8>]>> Dither for Diffusion<M> {
+impl<M> Diffusion<M> {
+    /// Returns the place of a column of the screen in the memory.
+    fn column(&self, x: u32) -> usize {
+        x.wrapping_sub(self.follows.map_or(0, |(left, ..)| left)) as usize
+    }
+}
+
+impl<M: AsRef<[Cell]> + AsMut<[Cell]>> Dither for Diffusion<M> {
     fn start_row(&mut self, x: u32, y: u32, len: usize) -> bool {
         if self.follows == Some((x, y, len)) {
-            self.leftward = !self.leftward;
+            self.leftward = !self.leftward && len <= self.cells.as_ref().len();
         } else {
             self.leftward = false;
-            self.errors.as_mut().fill(Rgb::new(0, 0, 0));
+            self.cells.as_mut().fill(Cell::default());
         }
         self.follows = Some((x, y.saturating_add(1), len));
         (self.ahead, self.below_ahead) = (Rgb::new(0, 0, 0), Rgb::new(0, 0, 0));
@@ -111,9 +125,9 @@ impl<M: AsMut<[Rgb<i8>]>> Dither for Diffusion<M> {
         (x, _): (u32, u32),
         light: Rgb<u8>,
     ) -> u8 {
-        let at = x.wrapping_sub(self.follows.map_or(0, |(left, ..)| left)) as usize;
-        let errors = self.errors.as_mut();
-        let here = errors.get(at).copied().unwrap_or(Rgb::new(0, 0, 0));
+        let at = self.column(x);
+        let cells = self.cells.as_mut();
+        let here = cells.get(at).map_or(Rgb::new(0, 0, 0), |cell| cell.error);
         let error = here.zip(self.ahead, |above, ahead| i16::from(above) + ahead);
         // At most 255 + 127 + 112 in size.
         let wanted =
@@ -128,14 +142,18 @@ impl<M: AsMut<[Rgb<i8>]>> Dither for Diffusion<M> {
         let given = self.ahead.zip(behind_part, |a, b| a + b).zip(next, |a, b| a + b);
         let below = part(sum).zip(given, |all, given| all - given).zip(self.below_ahead, |a, b| a + b);
         self.below_ahead = next;
-        if let Some(here) = errors.get_mut(at) {
-            *here = below.map(saturated);
+        if let Some(here) = cells.get_mut(at) {
+            *here = Cell { error: below.map(saturated), index };
         }
         let behind = if self.leftward { at.wrapping_add(1) } else { at.wrapping_sub(1) };
-        if let Some(behind) = errors.get_mut(behind) {
-            *behind = behind.zip(behind_part, |so_far, more| saturated(i16::from(so_far) + more));
+        if let Some(behind) = cells.get_mut(behind) {
+            behind.error = behind.error.zip(behind_part, |so_far, more| saturated(i16::from(so_far) + more));
         }
         index
+    }
+
+    fn drawn(&self, x: u32) -> u8 {
+        self.cells.as_ref().get(self.column(x)).map_or(0, |cell| cell.index)
     }
 }
 

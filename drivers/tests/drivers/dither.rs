@@ -2,14 +2,12 @@
 
 use rta_core::color::Rgb;
 use rta_drivers::display::{Display, ReadBack, expand};
-use rta_drivers::dither::{Diffusion, Dither, DitherError, Ordered, Plain, Weights, bayer, ordered};
+use rta_drivers::dither::{Cell, Diffusion, Dither, DitherError, Ordered, Plain, Weights, bayer, ordered};
 use rta_drivers::graphigs::{GraphigsDisplay, emulated};
 use rta_drivers::painter::Painter;
 use rta_drivers::quantize::{Adaptive, ColorTable, Palette, Uniform, nearest};
 
 use crate::scattered;
-
-const NONE: Rgb<i8> = Rgb::new(0, 0, 0);
 
 /// Draws rows of light of 8 bits and returns the colours that are shown, 8 bits a gun.
 fn shown(
@@ -27,7 +25,7 @@ fn shown(
         }
         let mut drawn = vec![Rgb::new(0, 0, 0); row.len()];
         for x in places {
-            let index = dither.index(&mut table, gun_max, (5 + x as u32, y), row[x]);
+            let index = dither.index(&mut table, gun_max, (5 + u32::try_from(x).unwrap(), y), row[x]);
             drawn[x] = table.entries()[usize::from(index)].map(|level| expand(level, most));
         }
         drawn
@@ -80,7 +78,7 @@ fn diffusion_is_that_of_the_papers() {
     for (weights, numbers) in [(Weights::FLOYD_STEINBERG, [7, 3, 1, 16]), (Weights::DAMPED, [6, 3, 1, 14])] {
         let table = Palette::new(&scattered(200, 63), 63).unwrap();
         let rows: Vec<Vec<_>> = scattered(23 * 9, 255).chunks(23).map(<[_]>::to_vec).collect();
-        let dither = Diffusion::new(weights, [NONE; 30], 23).unwrap();
+        let dither = Diffusion::new(weights, [Cell::default(); 30], 23).unwrap();
         assert_eq!(shown(table.clone(), dither, 63, &rows), diffused(&table, numbers, &rows));
     }
 }
@@ -91,7 +89,7 @@ fn diffusion_keeps_the_mean() {
     for level in [3_u8, 50, 100, 127, 200, 252] {
         let rows = vec![vec![gray(level); width]; height];
         let table = Uniform::new(8, 255).unwrap();
-        let dither = Diffusion::new(Weights::FLOYD_STEINBERG, vec![NONE; width], width).unwrap();
+        let dither = Diffusion::new(Weights::FLOYD_STEINBERG, vec![Cell::default(); width], width).unwrap();
         let sum: u32 =
             shown(table, dither, 255, &rows).iter().flatten().map(|color| u32::from(color.g)).sum();
         let mean = f64::from(sum) / (width * height) as f64;
@@ -103,7 +101,7 @@ fn diffusion_keeps_the_mean() {
 fn diffusion_begins_anew_where_a_row_does_not_follow() {
     let row = scattered(16, 255);
     let table = Palette::new(&scattered(20, 63), 63).unwrap();
-    let mut dither = Diffusion::new(Weights::DAMPED, [Rgb::new(99, 99, 99); 16], 16).unwrap();
+    let mut dither = Diffusion::new(Weights::DAMPED, [Cell::default(); 16], 16).unwrap();
     let mut draw = |x, y| {
         let leftward = dither.start_row(x, y, row.len());
         let mut indices: Vec<u8> = Vec::new();
@@ -126,10 +124,10 @@ fn diffusion_begins_anew_where_a_row_does_not_follow() {
 #[test]
 fn memory_for_less_than_a_row_is_refused() {
     assert_eq!(
-        Diffusion::new(Weights::DAMPED, [NONE; 319], 320).err(),
+        Diffusion::new(Weights::DAMPED, [Cell::default(); 319], 320).err(),
         Some(DitherError { memory: 319, width: 320 })
     );
-    assert_eq!(size_of::<[Rgb<i8>; 320]>(), 960);
+    assert_eq!(size_of::<[Cell; 320]>(), 1280);
 }
 
 #[test]
@@ -184,7 +182,7 @@ fn direct_colour_is_within_one_level() {
 fn a_table_that_grows_grows_by_the_pictures_own_colours() {
     let row: Vec<_> = (0..200).map(|i| gray(i / 2)).collect();
     let mut table = Adaptive::new(32).unwrap();
-    let mut dither = Diffusion::new(Weights::FLOYD_STEINBERG, vec![NONE; 200], 200).unwrap();
+    let mut dither = Diffusion::new(Weights::FLOYD_STEINBERG, vec![Cell::default(); 200], 200).unwrap();
     dither.start_row(0, 0, 200);
     for (x, &light) in (0..).zip(&row) {
         dither.index(&mut table, 255, (x, 0), light);
@@ -200,7 +198,7 @@ fn the_painter_draws_every_second_row_from_the_right() {
     let want = diffused(&table, [6, 3, 1, 14], &rows);
     let workstation = emulated::Workstation::new(vec![0; emulated::MEMORY_SIZE]);
     let screen = GraphigsDisplay::open(workstation, "IBM5081", emulated::WORKSTATION_TYPE).unwrap();
-    let dither = Diffusion::new(Weights::DAMPED, vec![NONE; 150], 150).unwrap();
+    let dither = Diffusion::new(Weights::DAMPED, vec![Cell::default(); 150], 150).unwrap();
     let mut painter = Painter::dithered(screen, &table, dither).unwrap();
     assert_eq!((painter.light_max(), painter.display().capabilities().gun_max), (255, 15));
     for (y, row) in (100..).zip(&rows) {

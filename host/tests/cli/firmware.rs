@@ -68,12 +68,14 @@ fn a_hash_tells_pictures_apart_and_nothing_else() {
         hash(&["--device", "pixrect"]),
         hash(&["--table", "uniform"]),
         hash(&["--table", "adaptive"]),
+        hash(&["--table-samples", "1000"]),
+        hash(&["--dither", "fs"]),
         hash(&["--model", "whitted"]),
         hash(&["--depth", "0"]),
     ];
     folder.scene("scene.dat", spoilt("4 -8 6", "4 -8 7"));
     let all: BTreeSet<_> = others.into_iter().chain([one, hash(&[])]).collect();
-    assert_eq!(all.len(), 7);
+    assert_eq!(all.len(), 9);
     assert_eq!(folder.names(), ["scene.dat"]);
     folder.refuses(&["hash", "scene.dat", "--device", "cga"], &["--device", "graphigs"]);
     folder.refuses(&["hash", "scene.dat", "--device", "none"], &["--device", "none"]);

@@ -215,7 +215,7 @@ fn a_line_tells_of_the_picture_unless_it_is_not_wanted() {
     let told = |args: &[&str]| String::from_utf8(folder.rta(args).stderr).unwrap();
     let line = told(&["render", "scene.dat", "-o", "a.png", "-f", "q16"]);
     let start =
-        "rta: a.png: PNG, 320x200, device vga, tolerant colour table, format q16, model rta, depth 5; ";
+        "rta: a.png: PNG, 320x200, device vga, sampled colour table, format q16, model rta, depth 5; ";
     assert!(line.starts_with(start) && line.ends_with(" s\n"), "{line}");
     assert!(
         told(&["render", "scene.dat", "-o", "-", "--as", "ppm"]).starts_with("rta: standard output: PPM, ")

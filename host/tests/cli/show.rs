@@ -38,13 +38,18 @@ fn pixels(show: &mut Show) -> Pixels {
 fn keys_change_the_picture_and_back() {
     let mut show = show(Scene::juggler().expect("it is well formed"));
     complete(&mut show);
-    assert!(show.title().contains("juggler | vga | f32 | rta | depth 5 | tolerant | "), "{}", show.title());
+    assert!(
+        show.title().contains("juggler | vga | f32 | rta | depth 5 | sampled, dither none | "),
+        "{}",
+        show.title()
+    );
     let first = pixels(&mut show);
     // The key goes round in a circle.
     let others = Model::ALL.len() - 1;
     for (there, back, word) in [
         (vec![Command::Model], vec![Command::Model; others], "| whitted |"),
-        (vec![Command::Table], vec![Command::Table; 2], "| uniform |"),
+        (vec![Command::Table; 5], vec![Command::Table], "| uniform, "),
+        (vec![Command::Dither], vec![Command::Dither; 3], ", dither fs |"),
         (vec![Command::Shallower; 5], vec![Command::Deeper; 5], "| depth 0 |"),
         (
             vec![Command::Format, Command::Model],

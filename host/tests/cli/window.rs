@@ -92,7 +92,7 @@ fn help_palette_and_pixel_lie_over_the_picture_that_render_writes() {
     desk.awaits("help at first", is_text);
     desk.press("t");
     desk.awaits("no help", |shot| !is_text(shot));
-    for _ in 0..2 {
+    for _ in 0..5 {
         desk.press("t");
     }
     desk.awaits("the picture", |shot| shot == picture);

@@ -5,6 +5,7 @@
 //! | `RTA_SCENE` | the scene file | the Juggler |
 //! | `RTA_FORMAT` | `q16`, `q20` or `f32` | `q16` |
 //! | `RTA_NEEDS` | `baked`: only what the scene needs; `everything` | `baked` |
+//! | `RTA_COLORS` | `standard`: the board's own colour table; `sampled`: a palette made for the picture; `dithered`: that, with error diffusion | `standard` |
 //! | `RTA_SIZE` | width and height in pixels | `160x100` |
 
 use std::env;
@@ -32,6 +33,12 @@ fn main() -> Result<(), Box<dyn Error>> {
         "everything" => ("rta_core::needs::Everything", false),
         other => return Err(format!("RTA_NEEDS is baked or everything, not {other}").into()),
     };
+    let colors = match variable("RTA_COLORS", "standard").as_str() {
+        "standard" => "Standard",
+        "sampled" => "Sampled",
+        "dithered" => "Dithered",
+        other => return Err(format!("RTA_COLORS is standard, sampled or dithered, not {other}").into()),
+    };
     let size = variable("RTA_SIZE", "160x100");
     let (width, height) = size.split_once('x').ok_or("RTA_SIZE is a width, an x, and a height")?;
     let (width, height): (u32, u32) = (width.parse()?, height.parse()?);
@@ -40,6 +47,7 @@ fn main() -> Result<(), Box<dyn Error>> {
          type Needs = {needs};\n\
          /// Whether the program is for this scene alone. Otherwise the compiler must not know what it will draw.\n\
          const BAKED: bool = {baked};\n\
+         /// How the colours of the picture are chosen.\nconst COLORS: Colors = Colors::{colors};\n\
          /// Pixels in a row.\npub const WIDTH: u32 = {width};\n\
          /// Rows.\npub const HEIGHT: u32 = {height};\n"
     );

@@ -168,6 +168,29 @@ pub const ALL: [Board; 8] = [
     },
 ];
 
+/// How the colours of a picture are chosen.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Colors {
+    /// By the uniform table where the picture is streamed, by the tolerant one on a screen.
+    Standard,
+    /// By a palette made from samples of the picture.
+    Sampled,
+    /// By such a palette, with error diffusion.
+    Dithered,
+}
+
+impl Colors {
+    /// Returns its name, as images are told it.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Standard => "standard",
+            Self::Sampled => "sampled",
+            Self::Dithered => "dithered",
+        }
+    }
+}
+
 /// A picture that one image draws.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Picture {
@@ -179,6 +202,8 @@ pub struct Picture {
     pub format: Format,
     /// Whether the program holds only what this scene needs, or all that any scene may need.
     pub baked: bool,
+    /// How its colours are chosen.
+    pub colors: Colors,
     /// Width and height in pixels.
     pub size: (u32, u32),
 }
@@ -197,13 +222,33 @@ impl Picture {
             Format::Q16 => matches!(self.scene, "opaque" | "glass-2"),
             _ => self.scene == "juggler",
         };
-        if self.baked { this_scene } else { any_scene }
+        // Error diffusion contains all that a palette takes.
+        let palette = matches!(
+            (board.name, self.scene, self.format),
+            ("microbit", "opaque", Format::Q16) | ("mps2-an386", "juggler", Format::F32)
+        );
+        match self.colors {
+            Colors::Standard => {
+                if self.baked {
+                    this_scene
+                } else {
+                    any_scene
+                }
+            }
+            Colors::Sampled => palette,
+            Colors::Dithered => palette || self.scene == "opaque" && self.format == Format::Q16,
+        }
     }
 
     /// Returns what the program can draw, in words: the column "needs" of the footprint table.
     #[must_use]
     pub fn needs(&self) -> &'static str {
-        if self.baked { "baked" } else { "Everything" }
+        match self.colors {
+            Colors::Standard if self.baked => "baked",
+            Colors::Standard => "Everything",
+            // Baked too.
+            colors => colors.name(),
+        }
     }
 
     /// Returns the name of the picture in messages and files.
@@ -235,6 +280,14 @@ impl Board {
         usize::from(matches!(self.name, "mps2-an386" | "riscv" | "sparc" | "wasm"))
     }
 
+    /// Whether the board draws a scene with palettes too: on the two boards that are compared in what they cost, all scenes; elsewhere one.
+    fn is_colored(&self, scene: &str, format: Format) -> bool {
+        match format {
+            Format::Q16 => self.name == "microbit" || (scene == "opaque" && self.name != "pc-floppy"),
+            _ => self.name == "mps2-an386",
+        }
+    }
+
     /// Returns the pictures that the board draws.
     #[must_use]
     pub fn pictures(&self) -> Vec<Picture> {
@@ -256,11 +309,15 @@ impl Board {
                     Output::Screen { .. } => (320, 200),
                     Output::Semihosting | Output::Module => STREAMED,
                 };
-                for baked in [true, false] {
-                    if baked || everything {
-                        let file = super::folder().join(file);
-                        pictures.push(Picture { scene, file, format, baked, size });
-                    }
+                let file = super::folder().join(file);
+                let picture = Picture { scene, file, format, baked: true, colors: Colors::Standard, size };
+                pictures.push(picture.clone());
+                if everything {
+                    pictures.push(Picture { baked: false, ..picture.clone() });
+                }
+                if self.is_colored(scene, format) {
+                    let colors = [Colors::Sampled, Colors::Dithered];
+                    pictures.extend(colors.map(|colors| Picture { colors, ..picture.clone() }));
                 }
             }
         }

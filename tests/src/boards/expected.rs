@@ -1,8 +1,11 @@
 //! The picture that a board must draw: the engine's, through the board's colour table.
 
+use rta::coloring::{Coloring, DitherKind, Table as Any, TableKind};
 use rta::device::Device;
 use rta::engine::{Engine, Format, Settings};
 use rta_core::color::Rgb;
+use rta_core::raster::Raster;
+use rta_core::raster::lattice::Lattice;
 use rta_drivers::checksum::{Checksum, Unseen};
 use rta_drivers::display::{Capabilities, Display, DriverError};
 use rta_drivers::painter::Painter;
@@ -10,7 +13,7 @@ use rta_drivers::quantize::{Adaptive, ColorTable, Uniform};
 use rta_scenes::dat;
 
 use super::Failure;
-use super::board::{Output, Picture};
+use super::board::{Colors, Output, Picture};
 
 /// A picture as indices into a colour table.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -35,17 +38,6 @@ impl Indexed {
         }
         Ok(sum.value())
     }
-}
-
-/// Returns the levels that the engine draws, on guns whose highest level is `gun_max`.
-fn levels(picture: &Picture, (width, height): (u32, u32), gun_max: u8) -> Result<Vec<Rgb<u8>>, Failure> {
-    let text = std::fs::read(&picture.file)?;
-    let scene = dat::read(&text, &picture.file.display().to_string())?;
-    let format: Format = picture.format;
-    let engine = Engine::new(&scene, &Settings { width, height, format, ..Settings::default() })?;
-    let mut levels = vec![Rgb::new(0, 0, 0); width as usize * height as usize];
-    engine.level_rows(0, gun_max, &mut levels);
-    Ok(levels)
 }
 
 /// A display that keeps what is sent to it.
@@ -73,31 +65,54 @@ impl Display for Paper {
     }
 }
 
+/// The most samples of which a board makes a palette.
+const SAMPLES: u32 = 1024;
+
+/// Draws a picture of the engine's on a display of 256 colours, with `table` unless a palette is made for it.
 fn paint(
-    levels: &[Rgb<u8>],
+    picture: &Picture,
     (width, height): (u32, u32),
     gun_max: u8,
-    table: impl ColorTable,
+    table: impl ColorTable + Send + 'static,
 ) -> Result<Indexed, Failure> {
+    let text = std::fs::read(&picture.file)?;
+    let scene = dat::read(&text, &picture.file.display().to_string())?;
+    let format: Format = picture.format;
+    let engine = Engine::new(&scene, &Settings { width, height, format, ..Settings::default() })?;
     let capabilities = Capabilities { width, height, colors: 256, gun_max, aspect: (4, 3) };
+    let dither = if picture.colors == Colors::Dithered { DitherKind::Fs } else { DitherKind::None };
+    let coloring = Coloring { table: TableKind::Sampled, dither, samples: SAMPLES };
+    let table: Box<dyn ColorTable + Send> = match picture.colors {
+        Colors::Standard => Box::new(table),
+        Colors::Sampled | Colors::Dithered => {
+            let lattice = Lattice::new(Raster::new(width, height)?, coloring.samples());
+            let (columns, rows) = (lattice.grid().width(), lattice.grid().height());
+            let mut samples = vec![Rgb::new(0, 0, 0); columns as usize * rows as usize];
+            engine.grid_rows(lattice, 0, &mut samples);
+            coloring.table(capabilities, &samples, columns)?
+        }
+    };
     let shown = Indexed { colors: Vec::new(), pixels: Vec::new() };
-    let mut painter = Painter::new(Paper { capabilities, shown }, table)?;
-    for (y, row) in (0..).zip(levels.chunks(width as usize)) {
+    let dithering = coloring.dithering(capabilities, width as usize)?;
+    let mut painter = Painter::dithered(Paper { capabilities, shown }, Any(table), dithering)?;
+    let mut row = vec![Rgb::new(0, 0, 0); width as usize];
+    for y in 0..height {
+        engine.level_rows(y, painter.light_max(), &mut row);
         painter.put_row(0, y, row.iter().copied())?;
     }
     Ok(painter.into_parts().0.shown)
 }
 
-/// Returns the picture that a board streams: 64 levels a gun, as a VGA has, in the uniform colour table.
+/// Returns the picture that a board streams: 64 levels a gun, as a VGA has, in the uniform colour table unless a palette is made.
 ///
 /// # Errors
 /// The scene does not fit the number format.
 pub fn streamed(picture: &Picture, size: (u32, u32)) -> Result<Indexed, Failure> {
     let gun_max = Device::Vga.capabilities().gun_max;
-    paint(&levels(picture, size, gun_max)?, size, gun_max, Uniform::new(256, gun_max)?)
+    paint(picture, size, gun_max, Uniform::new(256, gun_max)?)
 }
 
-/// Returns the picture that a board shows: with the tolerant adaptive colour table on a screen, else
+/// Returns the picture that a board shows: with the tolerant adaptive colour table on a screen, unless a palette is made, else
 /// as it is streamed.
 ///
 /// # Errors
@@ -106,5 +121,5 @@ pub fn shown(picture: &Picture, output: Output) -> Result<Indexed, Failure> {
     let Output::Screen { screen: (_, _, gun_max), .. } = output else {
         return streamed(picture, picture.size);
     };
-    paint(&levels(picture, picture.size, gun_max)?, picture.size, gun_max, Adaptive::tolerant(256, gun_max)?)
+    paint(picture, picture.size, gun_max, Adaptive::tolerant(256, gun_max)?)
 }

@@ -28,7 +28,9 @@ pub struct Outcome {
     pub screendump: Option<Screendump>,
     /// Bytes of stack used, if reported.
     pub stack: Option<u64>,
-    /// Instructions from the first pixel to the last, if reported.
+    /// Instructions before the first row, if reported.
+    pub before: Option<u64>,
+    /// Instructions to the last pixel, if reported.
     pub instructions: Option<u64>,
     /// The hash that the board computed itself, if reported.
     pub hash: Option<u64>,
@@ -105,6 +107,7 @@ fn streamed(mut command: Command, room: &Path) -> Result<Outcome, Failure> {
         drawn: Indexed { colors: table(&loads)?, pixels: fs::read(room.join("pixels.raw"))? },
         screendump: None,
         stack: report(&words, "stack"),
+        before: report(&words, "before"),
         instructions: report(&words, "instructions"),
         hash: report(&words, "hash"),
     })
@@ -200,6 +203,7 @@ fn screened(board: &Board, kind: Image, image: &Path, room: &Path) -> Result<Out
         drawn: Indexed { colors, pixels },
         screendump: Some(ppm(&fs::read(&file)?)?),
         stack: report(&words, "stack"),
+        before: None,
         instructions: None,
         hash: report(&words, "hash"),
     })

@@ -2,7 +2,7 @@
 
 use rta::engine::Format;
 
-use super::board::{Board, Picture};
+use super::board::{Board, Colors, Picture};
 use super::footprint::Footprint;
 use super::row::{PRIMITIVES, Row};
 
@@ -11,8 +11,9 @@ use super::row::{PRIMITIVES, Row};
 pub fn superfluous(rows: &[Row]) -> Vec<String> {
     let of = |board: &Board, format, baked| {
         rows.iter().find(|row| {
-            let Picture { scene, format: this, baked: own, .. } = row.picture;
-            row.board == *board && (scene, this, own) == ("opaque", format, baked)
+            let Picture { scene, format: this, baked: own, colors, .. } = row.picture;
+            let is_standard = colors == Colors::Standard;
+            row.board == *board && is_standard && (scene, this, own) == ("opaque", format, baked)
         })
     };
     let mut found = Vec::new();

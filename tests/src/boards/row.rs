@@ -83,10 +83,14 @@ fn footprint_of(
     outcome: &Outcome,
     image: &[u8],
 ) -> Result<Option<Footprint>, Failure> {
-    let (Some(stack), Some(instructions)) = (outcome.stack, outcome.instructions) else { return Ok(None) };
+    let (Some(stack), Some(before), Some(instructions)) =
+        (outcome.stack, outcome.before, outcome.instructions)
+    else {
+        return Ok(None);
+    };
     let elf::Sizes { text, rodata, ram } = elf::sizes(image)?;
     let (width, height) = picture.size;
-    let instructions = instructions / (u64::from(width) * u64::from(height));
+    let instructions = (instructions - before) / (u64::from(width) * u64::from(height));
     let key = [board.name, picture.scene, &picture.format.to_string(), picture.needs()].map(str::to_owned);
-    Ok(Some(Footprint { key, text, rodata, ram, stack, instructions }))
+    Ok(Some(Footprint { key, text, rodata, ram, stack, before, instructions }))
 }

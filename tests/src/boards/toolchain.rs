@@ -89,6 +89,7 @@ impl Toolchain {
             .env("RTA_SCENE", &picture.file)
             .env("RTA_FORMAT", picture.format.to_string())
             .env("RTA_NEEDS", if picture.baked { "baked" } else { "everything" })
+            .env("RTA_COLORS", picture.colors.name())
             .env("RTA_SIZE", format!("{width}x{height}"));
         let output = cargo.output()?;
         if !output.status.success() {

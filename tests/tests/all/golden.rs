@@ -4,12 +4,12 @@
 
 use core::sync::atomic::AtomicBool;
 
+use rta::coloring::{Coloring, DitherKind, TableKind};
 use rta::device::Device;
 use rta::engine::{Format, Model};
 use rta::raster::Size;
 use rta::render::Work;
 use rta::request::Request;
-use rta::screen::TableKind;
 use rta_core::color::Rgb;
 use rta_golden::{Render, Screen, Table};
 use rta_tests::golden::{check, draw, request, scene};
@@ -65,23 +65,28 @@ fn a_picture_of_rta_golden_has_the_hash_that_the_program_prints() {
         (Device::Graphigs, Screen::GRAPHIGS),
         (Device::Pixrect, Screen::PIXRECT),
     ];
-    let tables = [
-        (TableKind::Adaptive, Table::Adaptive),
-        (TableKind::Tolerant, Table::Tolerant),
-        (TableKind::Uniform, Table::Uniform),
-    ];
+    let plain = |table| Coloring { table, dither: DitherKind::None, samples: 0 };
+    let tables = |device| {
+        [
+            (Coloring::of(device), Table::Sampled),
+            (plain(TableKind::Adaptive), Table::Adaptive),
+            (plain(TableKind::Tolerant), Table::Tolerant),
+            (plain(TableKind::Uniform), Table::Uniform),
+        ]
+    };
     for name in ["juggler", "hall-22", "glass-2"] {
-        for ((device, screen), (kind, table)) in screens.into_iter().flat_map(|s| tables.map(|t| (s, t))) {
+        let on_all = screens.into_iter().flat_map(|screen| tables(screen.0).map(|table| (screen, table)));
+        for ((device, screen), (coloring, table)) in on_all {
             for (format, model, depth) in [(Format::Q16, Model::Rta, 5), (Format::Q20, Model::Whitted, 2)] {
                 let size = Some(Size::new(96, 40).expect("a size"));
-                let asked = Request { table: kind, size, model, depth, ..request(device, format) };
+                let asked = Request { coloring, size, model, depth, ..request(device, format) };
                 let (scene, stop) = (scene(name), AtomicBool::new(false));
                 let work = Work::new(&asked, &scene, Some(2), &stop).expect("it is drawn");
                 let program = work.quiet(true).checksum(device).expect("nothing stops it");
                 let screen = screen.window(96, 40).with(table);
                 let render = Render { screen, format, model: Some(model), depth };
                 let picture = render.scene(&scene.description).expect("it is drawn");
-                assert_eq!(picture.hash(), program, "{name} {device} {kind} {format} {model}");
+                assert_eq!(picture.hash(), program, "{name} {device} {coloring} {format} {model}");
             }
         }
     }

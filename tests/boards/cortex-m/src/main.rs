@@ -25,12 +25,17 @@ fn main() -> ! {
     };
     let table = picture::table();
     let mut ticks = Ticks::start();
-    let drawn = picture::draw(display, table, (0, 0), || ticks.read());
+    let mut before = None;
+    let drawn = picture::draw(display, table, (0, 0), || {
+        ticks.read();
+        before.get_or_insert(ticks.instructions());
+    });
     ticks.read();
     if drawn.is_err() {
         host::exit(2);
     }
     picture::report("stack", stack::high_water(), host::put);
+    picture::report("before", before.unwrap_or(0), host::put);
     picture::report("instructions", ticks.instructions(), host::put);
     host::exit(0)
 }

@@ -64,7 +64,7 @@ fn run(com1: &mut Com1) -> Result<(), Exit> {
         Mode13h::program(vga)
     };
     let drawn = picture::draw(display, picture::adaptive(CAPABILITIES.gun_max), (0, 0), || {});
-    let (mut display, _) = drawn.map_err(|_| Exit::Refused)?;
+    let mut display = drawn.map_err(|_| Exit::Refused)?;
     for (name, value) in picture::facts(picture::table()) {
         picture::report(name, value, |byte| com1.put(byte));
     }

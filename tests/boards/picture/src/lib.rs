@@ -5,18 +5,37 @@
 pub mod console;
 pub mod stream;
 
+use rta_core::accelerator::Accelerator;
+use rta_core::color::Rgb;
 use rta_core::illumination::Rta;
+use rta_core::raster::lattice::Lattice;
 use rta_core::raster::{Pixels, Raster};
 use rta_core::trace::Tracer;
 use rta_drivers::checksum::{Checksum, Unseen};
 use rta_drivers::display::{Capabilities, Display};
+use rta_drivers::dither::{Cell, Diffusion, Dither, Weights};
 use rta_drivers::painter::Painter;
-use rta_drivers::quantize::{Adaptive, ColorTable, Uniform};
+use rta_drivers::quantize::{Adaptive, ColorTable, Palette, TableError, Uniform, variance_cut};
 
 include!(concat!(env!("OUT_DIR"), "/choice.rs"));
 
 /// Recursion depth.
 const DEPTH: u8 = 5;
+
+/// How the colours of the picture are chosen.
+#[derive(Clone, Copy, PartialEq, Eq)]
+#[allow(dead_code, reason = "one of them is chosen when the scene is baked")]
+enum Colors {
+    /// By the board's own table.
+    Standard,
+    /// By a palette made from samples of the picture.
+    Sampled,
+    /// By such a palette, with error diffusion.
+    Dithered,
+}
+
+/// The most samples of which a palette is made: a sixteenth of the pixels of 160 x 100. They are 3 KiB on the stack.
+const SAMPLES: usize = 1024;
 
 /// The colour table of boards that stream their picture: in flash, and it costs no RAM.
 static TABLE: Uniform = match Uniform::new(256, 63) {
@@ -42,11 +61,13 @@ pub const fn adaptive(gun_max: u8) -> Adaptive {
 pub enum DrawError<E> {
     /// The tracer refuses raster or depth.
     Tracer(rta_core::Error),
+    /// No palette can be made for the display.
+    Table(TableError),
     /// The display's own.
     Display(E),
 }
 
-/// Draws the picture, `WIDTH` x `HEIGHT` from (`left`, `top`); calls `row` after each row.
+/// Draws the picture, `WIDTH` x `HEIGHT` from (`left`, `top`); calls `row` before the first row and after each.
 ///
 /// # Errors
 /// Those of the display.
@@ -55,7 +76,7 @@ pub fn draw<D: Display, T: ColorTable>(
     table: T,
     origin: (u32, u32),
     row: impl FnMut(),
-) -> Result<(D, T), DrawError<D::Error>> {
+) -> Result<D, DrawError<D::Error>> {
     draw_sized(display, table, origin, (WIDTH, HEIGHT), row)
 }
 
@@ -67,37 +88,81 @@ pub fn facts<T: ColorTable>(table: T) -> [(&'static str, u64); 3] {
     [("width", WIDTH.into()), ("height", HEIGHT.into()), ("hash", checksum(table))]
 }
 
-/// The hash of the picture as boards without a screen stream it, in 160 x 100 pixels of 64 levels, with [`table`]. It is the same on all
+/// The hash of the picture as boards without a screen stream it, in 160 x 100 pixels of 64 levels, with [`table`] unless a palette is
+/// made for it. It is the same on all
 /// boards, whatever their own screens are like.
 pub fn checksum<T: ColorTable>(table: T) -> u64 {
     let (width, height) = (160, 100);
     let unseen = Unseen(Capabilities { width, height, colors: 256, gun_max: 63, aspect: (4, 3) });
     match draw_sized(Checksum::new(unseen), table, (0, 0), (width, height), || ()) {
-        Ok((sum, _)) => sum.value(),
+        Ok(sum) => sum.value(),
         Err(_) => 0,
     }
 }
 
+/// The tracer of the baked scene, by whichever accelerator it has.
+type Traced<'a, A> = Tracer<'a, scene::Number, Rta, Needs, { DEPTH as usize }, A>;
+
 fn draw_sized<D: Display, T: ColorTable>(
     display: D,
     table: T,
-    (left, top): (u32, u32),
+    origin: (u32, u32),
     (width, height): (u32, u32),
-    mut row: impl FnMut(),
-) -> Result<(D, T), DrawError<D::Error>> {
-    let gun_max = display.capabilities().gun_max;
+    row: impl FnMut(),
+) -> Result<D, DrawError<D::Error>> {
     let raster = Raster::new(width, height).map_err(DrawError::Tracer)?;
     let scene = if BAKED { &scene::SCENE } else { core::hint::black_box(&scene::SCENE) };
-    let tracer: Tracer<_, _, Needs, { DEPTH as usize }, _> =
-        Tracer::new(scene, Rta, DEPTH.into()).map_err(DrawError::Tracer)?;
-    let mut painter = Painter::new(display, table).map_err(DrawError::Display)?;
-    for y in 0..height {
-        let levels = Pixels::row(&tracer, &scene::CAMERA, raster, y).map(|light| light.levels(gun_max));
-        painter.put_row(left, top + y, levels).map_err(DrawError::Display)?;
+    let tracer: Traced<'_, _> = Tracer::new(scene, Rta, DEPTH.into()).map_err(DrawError::Tracer)?;
+    if COLORS == Colors::Standard {
+        return paint(
+            &tracer,
+            raster,
+            Painter::new(display, table).map_err(DrawError::Display)?,
+            origin,
+            row,
+        );
+    }
+    let palette = palette(&tracer, raster, display.capabilities()).map_err(DrawError::Table)?;
+    if COLORS == Colors::Dithered {
+        // The hash is that of rows of 160.
+        let mut cells = [Cell::default(); if WIDTH < 160 { 160 } else { WIDTH as usize }];
+        if let Ok(diffusion) = Diffusion::new(Weights::DAMPED, &mut cells[..], width as usize) {
+            let painter = Painter::dithered(display, palette, diffusion).map_err(DrawError::Display)?;
+            return paint(&tracer, raster, painter, origin, row);
+        }
+    }
+    paint(&tracer, raster, Painter::new(display, palette).map_err(DrawError::Display)?, origin, row)
+}
+
+/// Makes a palette for the picture on a display, from samples of it.
+fn palette<A: Accelerator<scene::Number>>(
+    tracer: &Traced<'_, A>,
+    raster: Raster,
+    display: Capabilities,
+) -> Result<Palette, TableError> {
+    let mut memory = [Rgb::new(0, 0, 0); SAMPLES];
+    let lattice = Lattice::new(raster, SAMPLES);
+    let light = Pixels::sampled(tracer, &scene::CAMERA, lattice.grid(), lattice, 0, lattice.grid().height());
+    let light = light.map(|light| light.levels(u8::MAX));
+    variance_cut(&mut memory, light, lattice.grid().width(), display.colors, display.gun_max)
+}
+
+fn paint<D: Display, T: ColorTable, H: Dither, A: Accelerator<scene::Number>>(
+    tracer: &Traced<'_, A>,
+    raster: Raster,
+    mut painter: Painter<D, T, H>,
+    (left, top): (u32, u32),
+    mut row: impl FnMut(),
+) -> Result<D, DrawError<D::Error>> {
+    row();
+    let most = painter.light_max();
+    for y in 0..raster.height() {
+        let light = Pixels::row(tracer, &scene::CAMERA, raster, y).map(|light| light.levels(most));
+        painter.put_row(left, top + y, light).map_err(DrawError::Display)?;
         row();
     }
     painter.update().map_err(DrawError::Display)?;
-    Ok(painter.into_parts())
+    Ok(painter.into_parts().0)
 }
 
 /// `name`, a blank, `value` in sixteen hexadecimal digits, and the end of the line: a report without `core::fmt`.

@@ -23,12 +23,16 @@ extern "C" fn main() -> ! {
     };
     let table = picture::table();
     let start = board::instructions();
-    let drawn = picture::draw(display, table, (0, 0), || {});
+    let mut before = None;
+    let drawn = picture::draw(display, table, (0, 0), || {
+        before.get_or_insert_with(|| board::instructions() - start);
+    });
     let end = board::instructions();
     if drawn.is_err() {
         board::exit(2);
     }
     picture::report("stack", start::stack_high_water(), board::put);
+    picture::report("before", before.unwrap_or(0), board::put);
     picture::report("instructions", end - start, board::put);
     board::exit(0)
 }

@@ -61,7 +61,7 @@ fn run(ttya: &mut Ttya) -> Result<(), Exit> {
     let mut display = PixrectDisplay::new(Cgthree::open(screen)).map_err(|_| Exit::Refused)?;
     clear(&mut display).map_err(|_| Exit::Refused)?;
     let drawn = picture::draw(display, picture::adaptive(CAPABILITIES.gun_max), ORIGIN, || {});
-    let (mut display, _) = drawn.map_err(|_| Exit::Refused)?;
+    let mut display = drawn.map_err(|_| Exit::Refused)?;
     for (name, value) in picture::facts(picture::table()) {
         picture::report(name, value, |byte| ttya.put(byte));
     }

@@ -1,0 +1,273 @@
+//! How a device's few colours stand for a picture's many: the kind of colour table, and the dithering.
+
+mod k_means;
+
+use core::fmt;
+
+use clap::ValueEnum;
+use rta_core::color::Rgb;
+use rta_core::raster::lattice::Lattice;
+use rta_drivers::display::Capabilities;
+use rta_drivers::dither::{Cell, Diffusion, Dither, Ordered, Plain, Weights};
+use rta_drivers::quantize::{Adaptive, ColorTable, MAX_SAMPLES, SAMPLES, TableError, Uniform, variance_cut};
+
+use super::device::Device;
+use super::raster::Size;
+
+/// How the entries of a device's colour table are chosen.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum TableKind {
+    /// Made for the picture before it is drawn, from samples of it.
+    Sampled,
+    /// The same from all of its pixels, as `rta bake --palette` stores it.
+    Baked,
+    /// The best for all of its pixels, which only a desktop has the memory for: k-means.
+    Frame,
+    /// The thesis's way with a small tolerance: what is nearly an entry shares it, so that a smooth sky leaves room
+    /// for what is below it.
+    Tolerant,
+    /// The thesis's way to the letter: built while the picture is drawn, the nearest entry once it is full.
+    Adaptive,
+    /// Evenly spaced colours, alike for every picture.
+    Uniform,
+}
+
+/// How dithering spreads what rounding to the colour table loses.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum DitherKind {
+    /// Every pixel gets the entry nearest to it.
+    None,
+    /// Error diffusion of 6, 3, 4 and 1 sixteenths; an eighth of the error is lost.
+    #[value(alias = "fs6341")]
+    Fs,
+    /// Error diffusion of 7, 3, 5 and 1 sixteenths, as Floyd and Steinberg published it.
+    Fs7351,
+    /// A fixed pattern of 8 x 8 thresholds, for uniform tables.
+    #[value(alias = "bayer8")]
+    Bayer,
+}
+
+impl TableKind {
+    /// Returns the kind after this one, in a circle.
+    #[must_use]
+    pub fn next(self) -> Self {
+        after(Self::value_variants(), &self)
+    }
+}
+
+impl DitherKind {
+    /// Returns the kind after this one, in a circle.
+    #[must_use]
+    pub fn next(self) -> Self {
+        after(Self::value_variants(), &self)
+    }
+}
+
+fn after<T: Copy + PartialEq>(all: &[T], one: &T) -> T {
+    all.iter().skip_while(|other| *other != one).nth(1).or(all.first()).copied().unwrap_or(*one)
+}
+
+/// The value's name on the command line.
+fn named(value: &impl ValueEnum, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+    value.to_possible_value().map_or(Ok(()), |value| f.write_str(value.get_name()))
+}
+
+impl fmt::Display for TableKind {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        named(self, f)
+    }
+}
+
+impl fmt::Display for DitherKind {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        named(self, f)
+    }
+}
+
+/// The colour table of a picture on a device, and its dithering.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Coloring {
+    /// The kind of table.
+    pub table: TableKind,
+    /// The dithering.
+    pub dither: DitherKind,
+    /// The most samples of which a [`TableKind::Sampled`] is made, each 3 bytes of memory while it is.
+    pub samples: u32,
+}
+
+impl Coloring {
+    /// The samples of which a table is made unless another number is asked for.
+    #[allow(clippy::cast_possible_truncation, reason = "it is 4096")]
+    pub const SAMPLES: u32 = SAMPLES as u32;
+
+    /// Returns what looks best on a device at the distance from which it was looked at: a table made for the picture, and diffusion where
+    /// the pixels are fine. `rta palette` measures it.
+    #[must_use]
+    pub const fn of(device: Device) -> Self {
+        let is_fine = device.capabilities().has_fine_pixels();
+        let dither = if is_fine { DitherKind::Fs } else { DitherKind::None };
+        Self { table: TableKind::Sampled, dither, samples: Self::SAMPLES }
+    }
+
+    /// Returns the highest level of the light that pixels are given as: the guns', where a table that is looked up in their levels is not
+    /// dithered.
+    #[must_use]
+    pub fn light_max(self, device: Capabilities) -> u8 {
+        match (self.table, self.dither) {
+            (TableKind::Tolerant | TableKind::Adaptive | TableKind::Uniform, DitherKind::None) => {
+                device.gun_max
+            }
+            _ => u8::MAX,
+        }
+    }
+
+    /// Returns how many of the picture's pixels have to be known, at most, before it is drawn.
+    #[must_use]
+    pub const fn samples(self) -> usize {
+        match self.table {
+            TableKind::Sampled => self.samples as usize,
+            TableKind::Baked | TableKind::Frame => MAX_SAMPLES,
+            TableKind::Tolerant | TableKind::Adaptive | TableKind::Uniform => 0,
+        }
+    }
+
+    /// Returns the table for a device. `samples` are the colours, 8 bits a gun, of the pixels of a grid that is `width` of them wide; it
+    /// may be empty if [`Coloring::samples`] is 0.
+    ///
+    /// # Errors
+    /// [`TableError`] if the device has too few colours or levels for this kind.
+    pub fn table(
+        self,
+        device: Capabilities,
+        samples: &[Rgb<u8>],
+        width: u32,
+    ) -> Result<Box<dyn ColorTable + Send>, TableError> {
+        let Capabilities { colors, gun_max, .. } = device;
+        let mut memory = vec![Rgb::default(); samples.len()];
+        let mut cut = || variance_cut(&mut memory, samples.iter().copied(), width, colors, gun_max);
+        Ok(match self.table {
+            TableKind::Sampled | TableKind::Baked => Box::new(cut()?),
+            TableKind::Frame => {
+                let first = cut()?;
+                Box::new(k_means::refined(first, &memory, gun_max)?)
+            }
+            TableKind::Tolerant => Box::new(Adaptive::tolerant(colors, gun_max)?),
+            TableKind::Adaptive => Box::new(Adaptive::new(colors)?),
+            TableKind::Uniform => Box::new(Uniform::new(colors, gun_max)?),
+        })
+    }
+
+    /// Returns the dithering of rows of `width` pixels.
+    ///
+    /// # Errors
+    /// [`TableError`] if the device has too few colours or levels to be dithered.
+    pub fn dithering(self, device: Capabilities, width: usize) -> Result<Dithering, TableError> {
+        let diffusion = |weights| {
+            let cells = vec![Cell::default(); width];
+            Diffusion::new(weights, cells, width).map_or(Dithering::Plain(Plain), Dithering::Diffusion)
+        };
+        Ok(match self.dither {
+            DitherKind::None => Dithering::Plain(Plain),
+            DitherKind::Fs => diffusion(Weights::DAMPED),
+            DitherKind::Fs7351 => diffusion(Weights::FLOYD_STEINBERG),
+            // A table that is not a cube is dithered as a cube of as many colours.
+            DitherKind::Bayer => {
+                Dithering::Ordered(Ordered::uniform(&Uniform::new(device.colors, device.gun_max)?))
+            }
+        })
+    }
+}
+
+impl fmt::Display for Coloring {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { table, dither, samples } = self;
+        write!(f, "{table} colour table")?;
+        if *table == TableKind::Sampled && *samples != Self::SAMPLES {
+            write!(f, " of {samples} samples")?;
+        }
+        match dither {
+            DitherKind::None => Ok(()),
+            dither => write!(f, ", dithered {dither}"),
+        }
+    }
+}
+
+/// Returns those of a whole picture's pixels that are on a grid.
+pub(crate) fn on_grid(picture: &[Rgb<u8>], size: Size, lattice: Lattice) -> Vec<Rgb<u8>> {
+    let grid = lattice.grid();
+    let places = (0..grid.height()).flat_map(|j| (0..grid.width()).map(move |i| lattice.pixel(i, j)));
+    let pixel = |(x, y): (u32, u32)| picture.get(y as usize * size.columns() + x as usize).copied();
+    places.map(|place| pixel(place).unwrap_or_default()).collect()
+}
+
+/// A colour table of any kind.
+pub struct Table(pub Box<dyn ColorTable + Send>);
+
+impl ColorTable for Table {
+    fn light_max(&self, gun_max: u8) -> u8 {
+        self.0.light_max(gun_max)
+    }
+
+    fn index(&mut self, color: Rgb<u8>) -> u8 {
+        self.0.index(color)
+    }
+
+    fn index_near(&mut self, pixel: Rgb<u8>, color: Rgb<u8>, gun_max: u8) -> u8 {
+        self.0.index_near(pixel, color, gun_max)
+    }
+
+    fn entries(&self) -> &[Rgb<u8>] {
+        self.0.entries()
+    }
+}
+
+/// Dithering of any kind.
+#[derive(Clone, Debug)]
+pub enum Dithering {
+    /// None.
+    Plain(Plain),
+    /// Error diffusion.
+    Diffusion(Diffusion<Vec<Cell>>),
+    /// A fixed pattern.
+    Ordered(Ordered),
+}
+
+impl Dither for Dithering {
+    fn light_max<T: ColorTable + ?Sized>(&self, table: &T, gun_max: u8) -> u8 {
+        match self {
+            Self::Plain(plain) => plain.light_max(table, gun_max),
+            Self::Diffusion(diffusion) => diffusion.light_max(table, gun_max),
+            Self::Ordered(ordered) => ordered.light_max(table, gun_max),
+        }
+    }
+
+    fn start_row(&mut self, x: u32, y: u32, len: usize) -> bool {
+        match self {
+            Self::Plain(plain) => plain.start_row(x, y, len),
+            Self::Diffusion(diffusion) => diffusion.start_row(x, y, len),
+            Self::Ordered(ordered) => ordered.start_row(x, y, len),
+        }
+    }
+
+    fn index<T: ColorTable + ?Sized>(
+        &mut self,
+        table: &mut T,
+        gun_max: u8,
+        place: (u32, u32),
+        light: Rgb<u8>,
+    ) -> u8 {
+        match self {
+            Self::Plain(plain) => plain.index(table, gun_max, place, light),
+            Self::Diffusion(diffusion) => diffusion.index(table, gun_max, place, light),
+            Self::Ordered(ordered) => ordered.index(table, gun_max, place, light),
+        }
+    }
+
+    fn drawn(&self, x: u32) -> u8 {
+        match self {
+            Self::Plain(plain) => plain.drawn(x),
+            Self::Diffusion(diffusion) => diffusion.drawn(x),
+            Self::Ordered(ordered) => ordered.drawn(x),
+        }
+    }
+}
