@@ -22,7 +22,7 @@ use rta_core::color::Rgb;
 use crate::display::expand;
 use crate::quantize::ColorTable;
 
-pub use diffusion::{Cell, Diffusion, DitherError, Weights};
+pub use diffusion::{Cell, Damped, Diffusion, DitherError, FloydSteinberg, Weights};
 pub use ordered::{Ordered, bayer, ordered};
 
 /// A way of dithering, as [`Painter`](crate::painter::Painter) uses it.

@@ -120,8 +120,8 @@ impl core::error::Error for TableError {}
 /// Returns the squared distance of two colours in squared levels, 0..=195075.
 pub fn distance(a: Rgb<u8>, b: Rgb<u8>) -> u32 {
     let square = |a: u8, b: u8| {
-        let d = u32::from(a.abs_diff(b));
-        d * d
+        let d = i32::from(a) - i32::from(b);
+        (d * d).cast_unsigned()
     };
     square(a.r, b.r) + square(a.g, b.g) + square(a.b, b.b)
 }

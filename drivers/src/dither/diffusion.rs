@@ -1,32 +1,47 @@
 //! Error diffusion: what rounding loses of a pixel goes to its neighbours that are drawn later.
 
 use core::fmt;
+use core::marker::PhantomData;
 
 use rta_core::color::Rgb;
 
 use super::{Dither, entry};
 use crate::quantize::ColorTable;
 
-/// Which parts of a pixel's error its neighbours get, in sixteenths.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Weights {
+/// Which parts of a pixel's error its neighbours get, in sixteenths. A type, so that a program multiplies by constants.
+pub trait Weights {
     /// The next pixel of the row.
-    pub ahead: u8,
+    const AHEAD: i16;
     /// Of the next row, the pixel behind, to the side from which the pixels come.
-    pub behind: u8,
+    const BEHIND: i16;
     /// Of the next row, the pixel ahead.
-    pub below_ahead: u8,
+    const BELOW_AHEAD: i16;
     /// All together, with the pixel below, which gets the rest.
-    pub sum: u8,
+    const SUM: i16;
 }
 
-impl Weights {
-    /// Those of R. Floyd and L. Steinberg, "An Adaptive Algorithm for Spatial Grey Scale", Proceedings of the Society for Information Display
-    /// 17, 2, 1976: 7, 3, 5 and 1 sixteenths, the whole error. Best with evenly spaced tables.
-    pub const FLOYD_STEINBERG: Self = Self { ahead: 7, behind: 3, below_ahead: 1, sum: 16 };
-    /// 6, 3, 4 and 1 sixteenths. An eighth of the error is lost, so that no error wanders far through a picture whose table has nothing
-    /// near: fewer stray dots with irregular tables.
-    pub const DAMPED: Self = Self { ahead: 6, behind: 3, below_ahead: 1, sum: 14 };
+/// 7, 3, 5 and 1 sixteenths, the whole error: R. Floyd and L. Steinberg, "An Adaptive Algorithm for Spatial Grey Scale", Proceedings of the
+/// Society for Information Display 17, 2, 1976. Best with evenly spaced tables.
+#[derive(Clone, Copy, Debug)]
+pub struct FloydSteinberg;
+
+impl Weights for FloydSteinberg {
+    const AHEAD: i16 = 7;
+    const BEHIND: i16 = 3;
+    const BELOW_AHEAD: i16 = 1;
+    const SUM: i16 = 16;
+}
+
+/// 6, 3, 4 and 1 sixteenths. An eighth of the error is lost, so that no error wanders far through a picture whose table has nothing
+/// near: fewer stray dots with irregular tables.
+#[derive(Clone, Copy, Debug)]
+pub struct Damped;
+
+impl Weights for Damped {
+    const AHEAD: i16 = 6;
+    const BEHIND: i16 = 3;
+    const BELOW_AHEAD: i16 = 1;
+    const SUM: i16 = 14;
 }
 
 /// What error diffusion keeps of a column of the picture: 4 bytes.
@@ -43,13 +58,15 @@ pub struct Cell {
 /// Rows must be whole and come in order, from top to bottom. A row that does not follow the one before, or is not of its length,
 /// begins a new picture.
 ///
-/// `M` is memory for a row, one [`Cell`] a pixel: an array, a `Vec`, or a slice.
+/// `W` is how the error is shared out, `M` memory for a row, one [`Cell`] a pixel: an array, a `Vec`, or a slice.
 #[derive(Clone, Debug)]
-pub struct Diffusion<M> {
-    weights: Weights,
+pub struct Diffusion<W, M> {
+    weights: PhantomData<W>,
     cells: M,
-    /// The column of the row's first pixel, its length, and the row after it: what the next row must have.
-    follows: Option<(u32, u32, usize)>,
+    /// The column of the row's first pixel.
+    left: u32,
+    /// The row after it and its length: what the next row must have, to follow.
+    follows: Option<(u32, usize)>,
     /// Whether this row is drawn from right to left.
     leftward: bool,
     /// What the last pixel sends to the next one of its row.
@@ -76,20 +93,21 @@ impl fmt::Display for DitherError {
 
 impl core::error::Error for DitherError {}
 
-impl<M: AsRef<[Cell]> + AsMut<[Cell]>> Diffusion<M> {
+impl<W: Weights, M: AsRef<[Cell]> + AsMut<[Cell]>> Diffusion<W, M> {
     /// Makes the dithering for rows of at most `width` pixels, with memory for as many or more. What is in the memory does not matter.
     ///
     /// # Errors
     /// [`DitherError`] if the memory is too small. Of a row that is longer all the same, the pixels beyond the memory send nothing down, and
     /// it comes from left to right.
-    pub fn new(weights: Weights, cells: M, width: usize) -> Result<Self, DitherError> {
+    pub fn new(cells: M, width: usize) -> Result<Self, DitherError> {
         let memory = cells.as_ref().len();
         if memory < width {
             return Err(DitherError { memory, width });
         }
         Ok(Self {
-            weights,
+            weights: PhantomData,
             cells,
+            left: 0,
             follows: None,
             leftward: false,
             ahead: Rgb::new(0, 0, 0),
@@ -98,22 +116,23 @@ impl<M: AsRef<[Cell]> + AsMut<[Cell]>> Diffusion<M> {
     }
 }
 
-impl<M> Diffusion<M> {
+impl<W, M> Diffusion<W, M> {
     /// Returns the place of a column of the screen in the memory.
     fn column(&self, x: u32) -> usize {
-        x.wrapping_sub(self.follows.map_or(0, |(left, ..)| left)) as usize
+        x.wrapping_sub(self.left) as usize
     }
 }
 
-impl<M: AsRef<[Cell]> + AsMut<[Cell]>> Dither for Diffusion<M> {
+impl<W: Weights, M: AsRef<[Cell]> + AsMut<[Cell]>> Dither for Diffusion<W, M> {
     fn start_row(&mut self, x: u32, y: u32, len: usize) -> bool {
-        if self.follows == Some((x, y, len)) {
+        if self.follows == Some((y, len)) && self.left == x {
             self.leftward = !self.leftward && len <= self.cells.as_ref().len();
         } else {
             self.leftward = false;
             self.cells.as_mut().fill(Cell::default());
         }
-        self.follows = Some((x, y.saturating_add(1), len));
+        self.left = x;
+        self.follows = Some((y.saturating_add(1), len));
         (self.ahead, self.below_ahead) = (Rgb::new(0, 0, 0), Rgb::new(0, 0, 0));
         self.leftward
     }
@@ -127,27 +146,26 @@ impl<M: AsRef<[Cell]> + AsMut<[Cell]>> Dither for Diffusion<M> {
     ) -> u8 {
         let at = self.column(x);
         let cells = self.cells.as_mut();
-        let here = cells.get(at).map_or(Rgb::new(0, 0, 0), |cell| cell.error);
-        let error = here.zip(self.ahead, |above, ahead| i16::from(above) + ahead);
+        let above = cells.get(at).map_or(Rgb::new(0, 0, 0), |cell| cell.error);
+        let error = above.zip(self.ahead, |above, ahead| i16::from(above) + ahead);
         // At most 255 + 127 + 112 in size.
         let wanted =
             light.zip(error, |level, error| (i16::from(level) + error).clamp(0, 255).to_le_bytes()[0]);
         let (index, shown) = entry(table, gun_max, light, wanted);
         let lost = wanted.zip(shown, |wanted, shown| i16::from(wanted) - i16::from(shown));
-        let Weights { ahead, behind, below_ahead, sum } = self.weights;
-        let part = |weight: u8| lost.map(|lost| (i16::from(weight) * lost) >> 4);
-        self.ahead = part(ahead);
-        let (behind_part, next) = (part(behind), part(below_ahead));
+        let part = |weight: i16| lost.map(|lost| (weight * lost) >> 4);
+        self.ahead = part(W::AHEAD);
+        let (behind, below_ahead) = (part(W::BEHIND), part(W::BELOW_AHEAD));
         // The rest, so that no more is lost by rounding than the weights say.
-        let given = self.ahead.zip(behind_part, |a, b| a + b).zip(next, |a, b| a + b);
-        let below = part(sum).zip(given, |all, given| all - given).zip(self.below_ahead, |a, b| a + b);
-        self.below_ahead = next;
+        let given = self.ahead.zip(behind, |a, b| a + b).zip(below_ahead, |a, b| a + b);
+        let below = part(W::SUM).zip(given, |all, given| all - given).zip(self.below_ahead, |a, b| a + b);
+        self.below_ahead = below_ahead;
         if let Some(here) = cells.get_mut(at) {
             *here = Cell { error: below.map(saturated), index };
         }
-        let behind = if self.leftward { at.wrapping_add(1) } else { at.wrapping_sub(1) };
-        if let Some(behind) = cells.get_mut(behind) {
-            behind.error = behind.error.zip(behind_part, |so_far, more| saturated(i16::from(so_far) + more));
+        let place = if self.leftward { at.wrapping_add(1) } else { at.wrapping_sub(1) };
+        if let Some(cell) = cells.get_mut(place) {
+            cell.error = cell.error.zip(behind, |so_far, more| saturated(i16::from(so_far) + more));
         }
         index
     }

@@ -147,31 +147,67 @@ fn spread(colors: &[Rgb<u8>]) -> u64 {
     squares - Sums::of(colors).square_over_count() / 64
 }
 
-/// A gun of a colour.
-type Gun = fn(&Rgb<u8>) -> u8;
-
 /// Cuts colours in two across one gun, where the sum of both spreads is least: sorts them and returns how many are in the lower part. Of
 /// equally good cuts it takes that of the first gun, at its lowest level. `None` if all colours are equal.
 fn cut(colors: &mut [Rgb<u8>]) -> Option<usize> {
-    let guns: [Gun; 3] = [|color| color.r, |color| color.g, |color| color.b];
-    let all = Sums::of(colors);
-    let mut best: Option<(u64, Gun, usize)> = None;
-    for gun in guns {
+    // The guns take turns to be the first one, so that there is one sort, by that, and no calls to look a gun up.
+    let mut best: Option<(u64, usize, usize)> = None;
+    for gun in 0..3 {
         // Colours of one level are never parted, so their order among themselves does not matter: any sort will do.
-        colors.sort_unstable_by_key(gun);
-        let mut lower = Sums::default();
+        sort(colors);
+        let (mut lower, all) = (Sums::default(), Sums::of(colors));
         for pair in colors.windows(2) {
             let [this, next] = pair else { continue };
             lower.add(*this);
-            if gun(this) < gun(next) {
+            if this.r < next.r {
                 let gain = lower.square_over_count() + all.without(lower).square_over_count();
                 if best.is_none_or(|(most, ..)| gain > most) {
                     best = Some((gain, gun, lower.count as usize));
                 }
             }
         }
+        turn(colors);
     }
     let (_, gun, at) = best?;
-    colors.sort_unstable_by_key(gun);
+    (0..gun).for_each(|_| turn(colors));
+    sort(colors);
+    (gun..3).for_each(|_| turn(colors));
     Some(at)
+}
+
+/// Makes green the first gun, blue the second and red the third; three turns bring all back.
+fn turn(colors: &mut [Rgb<u8>]) {
+    colors.iter_mut().for_each(|color| *color = Rgb::new(color.g, color.b, color.r));
+}
+
+/// The distances of Shell sort that M. Ciura found best, "Best Increments for the Average Case of Shellsort", 2001; larger ones grow by 9/4.
+const GAPS: [usize; 8] = [701, 301, 132, 57, 23, 10, 4, 1];
+
+/// Sorts colours by their first gun: Shell sort, which needs no memory. (The sort of the core library takes 6 KB of code more on a
+/// Cortex-M0; heap sort needs more instructions for parts that are as small as most.)
+fn sort(colors: &mut [Rgb<u8>]) {
+    let mut first = 701;
+    while first < colors.len() / 3 {
+        first = first * 9 / 4;
+    }
+    let larger = core::iter::successors(Some(first), |gap| Some(gap * 4 / 9)).take_while(|gap| *gap > 701);
+    for gap in larger.chain(GAPS) {
+        for end in gap..colors.len() {
+            let Some(&color) = colors.get(end) else { break };
+            let mut at = end;
+            while let Some(before) = at.checked_sub(gap)
+                && let Some(&larger) = colors.get(before).filter(|before| before.r > color.r)
+            {
+                set(colors, at, larger);
+                at = before;
+            }
+            set(colors, at, color);
+        }
+    }
+}
+
+fn set(colors: &mut [Rgb<u8>], at: usize, color: Rgb<u8>) {
+    if let Some(place) = colors.get_mut(at) {
+        *place = color;
+    }
 }

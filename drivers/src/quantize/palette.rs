@@ -2,7 +2,7 @@
 
 use rta_core::color::Rgb;
 
-use super::{BACKGROUND, ColorTable, MAX_COLORS, TableError};
+use super::{BACKGROUND, ColorTable, MAX_COLORS, TableError, distance};
 use crate::display::{expand, reduce};
 
 /// Starting places of the search: the sums of a colour's levels, at most 1020, in classes of 16.
@@ -13,10 +13,10 @@ const CLASSES: usize = 64;
 /// The search (the partial distance of the sorted sum; L. Guan and M. Kamel, "Equal-average hyperplane partitioning method for vector
 /// quantization of image data", Pattern Recognition Letters 13, 1992, with the sum weighted by gun) has its entries sorted by
 /// `k = r + 2g + b`. By the inequality of Cauchy and Schwarz, two colours at the squared distance `d` have sums that differ by at most
-/// `sqrt(6 d)`. So it walks from the place of the colour's own sum outward, to the nearer side first, until the sums differ by more
-/// than the best entry so far allows. On the shipped scenes it looks at 3 to 12 of 256 entries.
+/// `sqrt(6 d)`. So it walks from the place of the colour's own sum up, and then down, until the sums differ by more than the best
+/// entry so far allows; the first of these is the entry of the pixel before.
 ///
-/// The table takes 836 bytes on a processor of 32 bits, and may lie in flash: [`Palette::new`] is a constant function, and a shared reference is a table too.
+/// The table takes 840 bytes on a processor of 32 bits, and may lie in flash: [`Palette::new`] is a constant function, and a shared reference is a table too.
 ///
 /// ```
 /// use rta_core::color::Rgb;
@@ -34,6 +34,8 @@ pub struct Palette {
     entries: [Rgb<u8>; MAX_COLORS as usize],
     /// How many entries there are, at least 1.
     len: usize,
+    /// The entry that was found last.
+    last: u8,
     /// For each class of sums the first entry whose sum is in it or above it; the last entry, if none is.
     starts: [u8; CLASSES],
 }
@@ -83,7 +85,7 @@ impl Palette {
             }
             next += 1;
         }
-        Ok(Self { entries, len, starts: starts(&entries, len) })
+        Ok(Self { entries, len, last: 0, starts: starts(&entries, len) })
     }
 
     /// Returns the entries as levels 0..=`gun_max` of a display's guns, as [`Palette::new`] takes them.
@@ -93,43 +95,58 @@ impl Palette {
 
     /// Returns the index of the entry nearest to `color`, 8 bits a gun; of equally near ones, the lowest index.
     pub fn nearest(&self, color: Rgb<u8>) -> u8 {
-        let (entries, wanted) = (self.all(), key(color));
-        let class = self.starts.get(usize::from(wanted / 16)).copied().unwrap_or(0);
-        // Entries from `above` on have the sum `wanted` or a greater one, those before `below` a smaller one.
-        let mut above = usize::from(class);
-        while entries.get(above).is_some_and(|&entry| key(entry) < wanted) {
-            above += 1;
+        self.nearest_or(color, 0)
+    }
+
+    /// Returns what [`Palette::nearest`] does, whatever `guess` is. It is quicker the nearer that entry is, as the one of the pixel before
+    /// mostly is.
+    fn nearest_or(&self, color: Rgb<u8>, guess: u8) -> u8 {
+        let (entries, wanted) = (self.all(), i32::from(key(color)));
+        let class = self.starts.get(usize::from(key(color) / 16)).copied().unwrap_or(0);
+        let (upper, lower) =
+            entries.split_at_checked(class.into()).map_or((entries, &[][..]), |(a, b)| (b, a));
+        let mut best = Best { distance: u32::MAX, limit: u32::MAX, index: guess };
+        if let Some(&entry) = entries.get(usize::from(guess)) {
+            best.meet(color, entry, guess);
         }
-        let mut below = above;
-        let mut best = (u32::MAX, 0);
-        let gap = |entry: Option<&Rgb<u8>>| entry.map_or(u16::MAX, |&entry| key(entry).abs_diff(wanted));
-        let (mut up, mut down) =
-            (gap(entries.get(above)), gap(below.checked_sub(1).and_then(|i| entries.get(i))));
-        loop {
-            let (step, index) = if down < up { (down, below - 1) } else { (up, above) };
-            // `u16::MAX` is where there is no entry left on either side.
-            let sum = u32::from(step) * u32::from(step);
-            if step == u16::MAX || sum / 6 > best.0 {
-                return best.1;
+        for (index, &entry) in (class..=u8::MAX).zip(upper) {
+            let gap = i32::from(key(entry)) - wanted;
+            // The first few entries may have smaller sums than the colour.
+            if gap > 0 && (gap * gap).cast_unsigned() > best.limit {
+                break;
             }
-            if let Some(&entry) = entries.get(index) {
-                let found = (super::distance(entry, color), index.to_le_bytes()[0]);
-                if found < best {
-                    best = found;
-                }
-            }
-            if down < up {
-                below -= 1;
-                down = gap(below.checked_sub(1).and_then(|i| entries.get(i)));
-            } else {
-                above += 1;
-                up = gap(entries.get(above));
-            }
+            best.meet(color, entry, index);
         }
+        for (index, &entry) in (0..class).zip(lower).rev() {
+            let gap = wanted - i32::from(key(entry));
+            if (gap * gap).cast_unsigned() > best.limit {
+                break;
+            }
+            best.meet(color, entry, index);
+        }
+        best.index
     }
 
     fn all(&self) -> &[Rgb<u8>] {
         self.entries.get(..self.len).unwrap_or(&self.entries)
+    }
+}
+
+/// The nearest entry so far.
+struct Best {
+    distance: u32,
+    /// The square of the greatest difference of sums that an entry as near can have.
+    limit: u32,
+    index: u8,
+}
+
+impl Best {
+    #[inline]
+    fn meet(&mut self, color: Rgb<u8>, entry: Rgb<u8>, index: u8) {
+        let distance = distance(entry, color);
+        if distance < self.distance || (distance == self.distance && index < self.index) {
+            *self = Self { distance, limit: 6 * distance, index };
+        }
     }
 }
 
@@ -154,10 +171,11 @@ impl ColorTable for Palette {
         u8::MAX
     }
     fn index(&mut self, color: Rgb<u8>) -> u8 {
-        self.nearest(color)
+        self.last = self.nearest_or(color, self.last);
+        self.last
     }
     fn index_near(&mut self, _pixel: Rgb<u8>, color: Rgb<u8>, _gun_max: u8) -> u8 {
-        self.nearest(color)
+        self.index(color)
     }
     fn entries(&self) -> &[Rgb<u8>] {
         self.all()

@@ -2,7 +2,9 @@
 
 use rta_core::color::Rgb;
 use rta_drivers::display::{Display, ReadBack, expand};
-use rta_drivers::dither::{Cell, Diffusion, Dither, DitherError, Ordered, Plain, Weights, bayer, ordered};
+use rta_drivers::dither::{
+    Cell, Damped, Diffusion, Dither, DitherError, FloydSteinberg, Ordered, Plain, bayer, ordered,
+};
 use rta_drivers::graphigs::{GraphigsDisplay, emulated};
 use rta_drivers::painter::Painter;
 use rta_drivers::quantize::{Adaptive, ColorTable, Palette, Uniform, nearest};
@@ -75,12 +77,13 @@ fn diffused(table: &Palette, weights: [i32; 4], rows: &[Vec<Rgb<u8>>]) -> Vec<Ve
 
 #[test]
 fn diffusion_is_that_of_the_papers() {
-    for (weights, numbers) in [(Weights::FLOYD_STEINBERG, [7, 3, 1, 16]), (Weights::DAMPED, [6, 3, 1, 14])] {
-        let table = Palette::new(&scattered(200, 63), 63).unwrap();
-        let rows: Vec<Vec<_>> = scattered(23 * 9, 255).chunks(23).map(<[_]>::to_vec).collect();
-        let dither = Diffusion::new(weights, [Cell::default(); 30], 23).unwrap();
-        assert_eq!(shown(table.clone(), dither, 63, &rows), diffused(&table, numbers, &rows));
-    }
+    let table = Palette::new(&scattered(200, 63), 63).unwrap();
+    let rows: Vec<Vec<_>> = scattered(23 * 9, 255).chunks(23).map(<[_]>::to_vec).collect();
+    let cells = [Cell::default(); 30];
+    let dither = Diffusion::<FloydSteinberg, _>::new(cells, 23).unwrap();
+    assert_eq!(shown(table.clone(), dither, 63, &rows), diffused(&table, [7, 3, 1, 16], &rows));
+    let dither = Diffusion::<Damped, _>::new(cells, 23).unwrap();
+    assert_eq!(shown(table.clone(), dither, 63, &rows), diffused(&table, [6, 3, 1, 14], &rows));
 }
 
 #[test]
@@ -89,7 +92,7 @@ fn diffusion_keeps_the_mean() {
     for level in [3_u8, 50, 100, 127, 200, 252] {
         let rows = vec![vec![gray(level); width]; height];
         let table = Uniform::new(8, 255).unwrap();
-        let dither = Diffusion::new(Weights::FLOYD_STEINBERG, vec![Cell::default(); width], width).unwrap();
+        let dither = Diffusion::<FloydSteinberg, _>::new(vec![Cell::default(); width], width).unwrap();
         let sum: u32 =
             shown(table, dither, 255, &rows).iter().flatten().map(|color| u32::from(color.g)).sum();
         let mean = f64::from(sum) / (width * height) as f64;
@@ -101,7 +104,7 @@ fn diffusion_keeps_the_mean() {
 fn diffusion_begins_anew_where_a_row_does_not_follow() {
     let row = scattered(16, 255);
     let table = Palette::new(&scattered(20, 63), 63).unwrap();
-    let mut dither = Diffusion::new(Weights::DAMPED, [Cell::default(); 16], 16).unwrap();
+    let mut dither = Diffusion::<Damped, _>::new([Cell::default(); 16], 16).unwrap();
     let mut draw = |x, y| {
         let leftward = dither.start_row(x, y, row.len());
         let mut indices: Vec<u8> = Vec::new();
@@ -124,7 +127,7 @@ fn diffusion_begins_anew_where_a_row_does_not_follow() {
 #[test]
 fn memory_for_less_than_a_row_is_refused() {
     assert_eq!(
-        Diffusion::new(Weights::DAMPED, [Cell::default(); 319], 320).err(),
+        Diffusion::<Damped, _>::new([Cell::default(); 319], 320).err(),
         Some(DitherError { memory: 319, width: 320 })
     );
     assert_eq!(size_of::<[Cell; 320]>(), 1280);
@@ -182,7 +185,7 @@ fn direct_colour_is_within_one_level() {
 fn a_table_that_grows_grows_by_the_pictures_own_colours() {
     let row: Vec<_> = (0..200).map(|i| gray(i / 2)).collect();
     let mut table = Adaptive::new(32).unwrap();
-    let mut dither = Diffusion::new(Weights::FLOYD_STEINBERG, vec![Cell::default(); 200], 200).unwrap();
+    let mut dither = Diffusion::<FloydSteinberg, _>::new(vec![Cell::default(); 200], 200).unwrap();
     dither.start_row(0, 0, 200);
     for (x, &light) in (0..).zip(&row) {
         dither.index(&mut table, 255, (x, 0), light);
@@ -198,7 +201,7 @@ fn the_painter_draws_every_second_row_from_the_right() {
     let want = diffused(&table, [6, 3, 1, 14], &rows);
     let workstation = emulated::Workstation::new(vec![0; emulated::MEMORY_SIZE]);
     let screen = GraphigsDisplay::open(workstation, "IBM5081", emulated::WORKSTATION_TYPE).unwrap();
-    let dither = Diffusion::new(Weights::DAMPED, vec![Cell::default(); 150], 150).unwrap();
+    let dither = Diffusion::<Damped, _>::new(vec![Cell::default(); 150], 150).unwrap();
     let mut painter = Painter::dithered(screen, &table, dither).unwrap();
     assert_eq!((painter.light_max(), painter.display().capabilities().gun_max), (255, 15));
     for (y, row) in (100..).zip(&rows) {

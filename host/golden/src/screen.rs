@@ -10,7 +10,7 @@ use rta_core::raster::lattice::Lattice;
 use rta_core::raster::{Pixels, Raster};
 use rta_core::trace::Tracer;
 use rta_drivers::display::Capabilities;
-use rta_drivers::dither::{Cell, Diffusion, Dither, Plain, Weights};
+use rta_drivers::dither::{Cell, Damped, Diffusion, Dither, Plain};
 use rta_drivers::painter::Painter;
 use rta_drivers::quantize::{Adaptive, ColorTable, SAMPLES, Uniform, variance_cut};
 use rta_drivers::{graphigs, pixrect, vga13h};
@@ -23,7 +23,7 @@ use crate::picture::Picture;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Table {
     /// Made for the picture before it is drawn, from [`SAMPLES`] of its pixels: [`variance_cut`]. On a device with
-    /// [fine pixels](Capabilities::has_fine_pixels) it is dithered by [`Weights::DAMPED`]. It is what the program draws unless told otherwise.
+    /// [fine pixels](Capabilities::has_fine_pixels) it is dithered by [`Diffusion`] of the weights [`Damped`]. It is what the program draws unless told otherwise.
     #[default]
     Sampled,
     /// Built while the picture is drawn; what is nearly an entry shares it: [`Adaptive::tolerant`].
@@ -147,7 +147,7 @@ impl Screen {
                 let grid = self.lattice(raster).grid().width();
                 let table = variance_cut(&mut memory, samples, grid, colors, gun_max)?;
                 let columns = raster.width() as usize;
-                match Diffusion::new(Weights::DAMPED, vec![Cell::default(); columns], columns) {
+                match Diffusion::<Damped, _>::new(vec![Cell::default(); columns], columns) {
                     Ok(diffusion) if self.device.has_fine_pixels() => self.through(table, diffusion, light),
                     _ => self.through(table, Plain, light),
                 }

@@ -8,7 +8,7 @@ use clap::ValueEnum;
 use rta_core::color::Rgb;
 use rta_core::raster::lattice::Lattice;
 use rta_drivers::display::Capabilities;
-use rta_drivers::dither::{Cell, Diffusion, Dither, Ordered, Plain, Weights};
+use rta_drivers::dither::{Cell, Damped, Diffusion, Dither, FloydSteinberg, Ordered, Plain};
 use rta_drivers::quantize::{Adaptive, ColorTable, MAX_SAMPLES, SAMPLES, TableError, Uniform, variance_cut};
 
 use super::device::Device;
@@ -162,14 +162,15 @@ impl Coloring {
     /// # Errors
     /// [`TableError`] if the device has too few colours or levels to be dithered.
     pub fn dithering(self, device: Capabilities, width: usize) -> Result<Dithering, TableError> {
-        let diffusion = |weights| {
-            let cells = vec![Cell::default(); width];
-            Diffusion::new(weights, cells, width).map_or(Dithering::Plain(Plain), Dithering::Diffusion)
-        };
+        let cells = || vec![Cell::default(); width];
         Ok(match self.dither {
             DitherKind::None => Dithering::Plain(Plain),
-            DitherKind::Fs => diffusion(Weights::DAMPED),
-            DitherKind::Fs7351 => diffusion(Weights::FLOYD_STEINBERG),
+            DitherKind::Fs => {
+                Diffusion::new(cells(), width).map_or(Dithering::Plain(Plain), Dithering::Damped)
+            }
+            DitherKind::Fs7351 => {
+                Diffusion::new(cells(), width).map_or(Dithering::Plain(Plain), Dithering::FloydSteinberg)
+            }
             // A table that is not a cube is dithered as a cube of as many colours.
             DitherKind::Bayer => {
                 Dithering::Ordered(Ordered::uniform(&Uniform::new(device.colors, device.gun_max)?))
@@ -226,8 +227,10 @@ impl ColorTable for Table {
 pub enum Dithering {
     /// None.
     Plain(Plain),
-    /// Error diffusion.
-    Diffusion(Diffusion<Vec<Cell>>),
+    /// Error diffusion of a part of the error.
+    Damped(Diffusion<Damped, Vec<Cell>>),
+    /// Error diffusion of all of it.
+    FloydSteinberg(Diffusion<FloydSteinberg, Vec<Cell>>),
     /// A fixed pattern.
     Ordered(Ordered),
 }
@@ -236,7 +239,8 @@ impl Dither for Dithering {
     fn light_max<T: ColorTable + ?Sized>(&self, table: &T, gun_max: u8) -> u8 {
         match self {
             Self::Plain(plain) => plain.light_max(table, gun_max),
-            Self::Diffusion(diffusion) => diffusion.light_max(table, gun_max),
+            Self::Damped(diffusion) => diffusion.light_max(table, gun_max),
+            Self::FloydSteinberg(diffusion) => diffusion.light_max(table, gun_max),
             Self::Ordered(ordered) => ordered.light_max(table, gun_max),
         }
     }
@@ -244,7 +248,8 @@ impl Dither for Dithering {
     fn start_row(&mut self, x: u32, y: u32, len: usize) -> bool {
         match self {
             Self::Plain(plain) => plain.start_row(x, y, len),
-            Self::Diffusion(diffusion) => diffusion.start_row(x, y, len),
+            Self::Damped(diffusion) => diffusion.start_row(x, y, len),
+            Self::FloydSteinberg(diffusion) => diffusion.start_row(x, y, len),
             Self::Ordered(ordered) => ordered.start_row(x, y, len),
         }
     }
@@ -258,7 +263,8 @@ impl Dither for Dithering {
     ) -> u8 {
         match self {
             Self::Plain(plain) => plain.index(table, gun_max, place, light),
-            Self::Diffusion(diffusion) => diffusion.index(table, gun_max, place, light),
+            Self::Damped(diffusion) => diffusion.index(table, gun_max, place, light),
+            Self::FloydSteinberg(diffusion) => diffusion.index(table, gun_max, place, light),
             Self::Ordered(ordered) => ordered.index(table, gun_max, place, light),
         }
     }
@@ -266,7 +272,8 @@ impl Dither for Dithering {
     fn drawn(&self, x: u32) -> u8 {
         match self {
             Self::Plain(plain) => plain.drawn(x),
-            Self::Diffusion(diffusion) => diffusion.drawn(x),
+            Self::Damped(diffusion) => diffusion.drawn(x),
+            Self::FloydSteinberg(diffusion) => diffusion.drawn(x),
             Self::Ordered(ordered) => ordered.drawn(x),
         }
     }

@@ -39,7 +39,7 @@ a figure drifts by more than 5 %.
   Cortex-M0, 770 on the M3, 800 on the M4F and 830 on RISC-V: what an image has that only writes constant rows.
 - Stack: bytes from reset to the end of the picture, at depth 5.
 - Needs: `sampled` is the baked scene with a palette made from 1024 samples of the picture (3 KiB, and 2 KiB of boxes, all on the stack until the
-  palette stands; the palette itself is 836 bytes); `dithered`, that with error diffusion (4 bytes for each of the 160 columns); all other rows
+  palette stands; the palette itself is 840 bytes); `dithered`, that with error diffusion (4 bytes for each of the 160 columns); all other rows
   are drawn in the uniform table, which lies in flash.
 - Before: instructions before the first row, where the palette is made: 1000 rays, and the cuts.
 - Instructions: retired a pixel, with all that is done from there to the last of 160 x 100. They are instructions, not

@@ -13,7 +13,7 @@ use rta_core::raster::{Pixels, Raster};
 use rta_core::trace::Tracer;
 use rta_drivers::checksum::{Checksum, Unseen};
 use rta_drivers::display::{Capabilities, Display};
-use rta_drivers::dither::{Cell, Diffusion, Dither, Weights};
+use rta_drivers::dither::{Cell, Damped, Diffusion, Dither};
 use rta_drivers::painter::Painter;
 use rta_drivers::quantize::{Adaptive, ColorTable, Palette, TableError, Uniform, variance_cut};
 
@@ -126,7 +126,7 @@ fn draw_sized<D: Display, T: ColorTable>(
     if COLORS == Colors::Dithered {
         // The hash is that of rows of 160.
         let mut cells = [Cell::default(); if WIDTH < 160 { 160 } else { WIDTH as usize }];
-        if let Ok(diffusion) = Diffusion::new(Weights::DAMPED, &mut cells[..], width as usize) {
+        if let Ok(diffusion) = Diffusion::<Damped, _>::new(&mut cells[..], width as usize) {
             let painter = Painter::dithered(display, palette, diffusion).map_err(DrawError::Display)?;
             return paint(&tracer, raster, painter, origin, row);
         }
