@@ -11,13 +11,13 @@ use crate::quantize::ColorTable;
 /// Which parts of a pixel's error its neighbours get, in sixteenths. A type, so that a program multiplies by constants.
 pub trait Weights {
     /// The next pixel of the row.
-    const AHEAD: i16;
+    const AHEAD: i32;
     /// Of the next row, the pixel behind, to the side from which the pixels come.
-    const BEHIND: i16;
+    const BEHIND: i32;
     /// Of the next row, the pixel ahead.
-    const BELOW_AHEAD: i16;
+    const BELOW_AHEAD: i32;
     /// All together, with the pixel below, which gets the rest.
-    const SUM: i16;
+    const SUM: i32;
 }
 
 /// 7, 3, 5 and 1 sixteenths, the whole error: R. Floyd and L. Steinberg, "An Adaptive Algorithm for Spatial Grey Scale", Proceedings of the
@@ -26,10 +26,10 @@ pub trait Weights {
 pub struct FloydSteinberg;
 
 impl Weights for FloydSteinberg {
-    const AHEAD: i16 = 7;
-    const BEHIND: i16 = 3;
-    const BELOW_AHEAD: i16 = 1;
-    const SUM: i16 = 16;
+    const AHEAD: i32 = 7;
+    const BEHIND: i32 = 3;
+    const BELOW_AHEAD: i32 = 1;
+    const SUM: i32 = 16;
 }
 
 /// 6, 3, 4 and 1 sixteenths. An eighth of the error is lost, so that no error wanders far through a picture whose table has nothing
@@ -38,10 +38,10 @@ impl Weights for FloydSteinberg {
 pub struct Damped;
 
 impl Weights for Damped {
-    const AHEAD: i16 = 6;
-    const BEHIND: i16 = 3;
-    const BELOW_AHEAD: i16 = 1;
-    const SUM: i16 = 14;
+    const AHEAD: i32 = 6;
+    const BEHIND: i32 = 3;
+    const BELOW_AHEAD: i32 = 1;
+    const SUM: i32 = 14;
 }
 
 /// What error diffusion keeps of a column of the picture: 4 bytes.
@@ -70,9 +70,9 @@ pub struct Diffusion<W, M> {
     /// Whether this row is drawn from right to left.
     leftward: bool,
     /// What the last pixel sends to the next one of its row.
-    ahead: Rgb<i16>,
+    ahead: Rgb<i32>,
     /// What the last pixel sends to the one below the next.
-    below_ahead: Rgb<i16>,
+    below_ahead: Rgb<i32>,
 }
 
 /// The memory for error diffusion is too small.
@@ -147,13 +147,13 @@ impl<W: Weights, M: AsRef<[Cell]> + AsMut<[Cell]>> Dither for Diffusion<W, M> {
         let at = self.column(x);
         let cells = self.cells.as_mut();
         let above = cells.get(at).map_or(Rgb::new(0, 0, 0), |cell| cell.error);
-        let error = above.zip(self.ahead, |above, ahead| i16::from(above) + ahead);
+        let error = above.zip(self.ahead, |above, ahead| i32::from(above) + ahead);
         // At most 255 + 127 + 112 in size.
         let wanted =
-            light.zip(error, |level, error| (i16::from(level) + error).clamp(0, 255).to_le_bytes()[0]);
+            light.zip(error, |level, error| (i32::from(level) + error).clamp(0, 255).to_le_bytes()[0]);
         let (index, shown) = entry(table, gun_max, light, wanted);
-        let lost = wanted.zip(shown, |wanted, shown| i16::from(wanted) - i16::from(shown));
-        let part = |weight: i16| lost.map(|lost| (weight * lost) >> 4);
+        let lost = wanted.zip(shown, |wanted, shown| i32::from(wanted) - i32::from(shown));
+        let part = |weight: i32| lost.map(|lost| (weight * lost) >> 4);
         self.ahead = part(W::AHEAD);
         let (behind, below_ahead) = (part(W::BEHIND), part(W::BELOW_AHEAD));
         // The rest, so that no more is lost by rounding than the weights say.
@@ -165,7 +165,7 @@ impl<W: Weights, M: AsRef<[Cell]> + AsMut<[Cell]>> Dither for Diffusion<W, M> {
         }
         let place = if self.leftward { at.wrapping_add(1) } else { at.wrapping_sub(1) };
         if let Some(cell) = cells.get_mut(place) {
-            cell.error = cell.error.zip(behind, |so_far, more| saturated(i16::from(so_far) + more));
+            cell.error = cell.error.zip(behind, |so_far, more| saturated(i32::from(so_far) + more));
         }
         index
     }
@@ -176,7 +176,7 @@ impl<W: Weights, M: AsRef<[Cell]> + AsMut<[Cell]>> Dither for Diffusion<W, M> {
 }
 
 /// Returns the nearest number of 8 bits. Errors are nearly always within them: a table has entries that near to most colours.
-fn saturated(error: i16) -> i8 {
+fn saturated(error: i32) -> i8 {
     // Clamped, it is its low byte.
     error.clamp(i8::MIN.into(), i8::MAX.into()).to_le_bytes()[0].cast_signed()
 }

@@ -16,8 +16,8 @@ pub const MAX_SAMPLES: usize = 1 << 20;
 ///
 /// `light` is samples of the picture, 8 bits a gun, row by row on a grid `width` samples wide: those of a
 /// [`Lattice`](rta_core::raster::lattice::Lattice), or all pixels. As many are used as `memory` holds; 4096 of them, 12 KiB, give
-/// palettes that are within a few per cent of the best. The memory can be used again as soon as this returns. Beside it, 2 KiB of stack
-/// are needed for the boxes.
+/// palettes that are within a few per cent of the best. What is in the memory before and after does not matter. Beside it, 2 KiB of
+/// stack are needed for the boxes.
 ///
 /// The criterion is that of X. Wu, "Efficient Statistical Computations for Optimal Color Quantization", Graphics Gems II, 1991, computed
 /// on the samples themselves instead of a histogram. All samples are in one box at first. The box whose colours spread most about
@@ -44,11 +44,9 @@ pub fn variance_cut(
     if gun_max == 0 {
         return Err(TableError::Guns);
     }
-    let step = if gun_max < 63 { u8::MAX / gun_max } else { 0 };
     let (mut x, mut y, mut len) = (0, 0, 0);
     for (sample, light) in memory.iter_mut().zip(light) {
-        *sample =
-            dither::ordered(light, x, y, Rgb::new(step, step, step)).map(|level| reduce(level, gun_max));
+        *sample = to_guns(light, x, y, gun_max);
         len += 1;
         x += 1;
         if x == width {
@@ -59,14 +57,27 @@ pub fn variance_cut(
     if samples.is_empty() || samples.len() > MAX_SAMPLES {
         return Err(TableError::Samples { samples: len });
     }
+    Palette::new(means(samples, usize::from(colors) - 1), gun_max)
+}
+
+/// Returns a colour, 8 bits a gun, as levels 0..=`gun_max` of a display's guns, as [`variance_cut`] takes it for the sample in column `x` of row
+/// `y`: dithered where the guns have fewer than 6 bits, else rounded.
+pub fn to_guns(light: Rgb<u8>, x: u32, y: u32, gun_max: u8) -> Rgb<u8> {
+    let step = if gun_max < 63 { u8::MAX / gun_max.max(1) } else { 0 };
+    dither::ordered(light, x, y, Rgb::new(step, step, step)).map(|level| reduce(level, gun_max))
+}
+
+/// Cuts samples into at most `count` boxes and returns the mean of each, in the place of the first samples.
+// By itself, so that the stack has the boxes only after the samples are there: in firmware, as they are traced, that of the tracer.
+#[inline(never)]
+fn means(samples: &mut [Rgb<u8>], count: usize) -> &[Rgb<u8>] {
     // Spreads of up to 2^14 samples fit 32 bits; of more, their upper bits do.
     let shift = (samples.len() >> 14).checked_ilog2().map_or(0, |power| power + 1);
     let spread = |colors: &[Rgb<u8>]| u32::try_from(spread(colors) >> shift).unwrap_or(u32::MAX);
     // In the order of their samples, so that a part ends where the next one starts.
     let mut parts = heapless::Vec::<Part, { MAX_COLORS as usize }>::new();
     let _ = parts.push(Part { start: 0, spread: spread(samples) });
-    // One entry is black.
-    while parts.len() + 1 < usize::from(colors) {
+    while parts.len() < count {
         // Of equal ones the first; `max_by_key` takes the last.
         let widest = parts.iter().enumerate().rev().max_by_key(|(_, part)| part.spread);
         let Some((index, start)) = widest.map(|(index, part)| (index, part.start as usize)) else { break };
@@ -79,12 +90,12 @@ pub fn variance_cut(
         }
         let _ = parts.insert(index + 1, Part { start: split, spread: above });
     }
-    let mut means = heapless::Vec::<Rgb<u8>, { MAX_COLORS as usize }>::new();
     for index in 0..parts.len() {
-        let colors = samples.get(range(&parts, index)).unwrap_or_default();
-        let _ = means.push(Sums::of(colors).mean());
+        let mean = Sums::of(samples.get(range(&parts, index)).unwrap_or_default()).mean();
+        // No part that is still to come begins before sample number `index`, as each before it has at least one.
+        set(samples, index, mean);
     }
-    Palette::new(&means, gun_max)
+    samples.get(..parts.len()).unwrap_or_default()
 }
 
 /// A box: samples from `start` to where the next one starts.

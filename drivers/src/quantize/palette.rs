@@ -109,15 +109,20 @@ impl Palette {
         if let Some(&entry) = entries.get(usize::from(guess)) {
             best.meet(color, entry, guess);
         }
-        for (index, &entry) in (class..=u8::MAX).zip(upper) {
+        // An index is that of one of at most 256 entries, so counting up ends before it wraps.
+        let mut index = class;
+        for &entry in upper {
             let gap = i32::from(key(entry)) - wanted;
             // The first few entries may have smaller sums than the colour.
             if gap > 0 && (gap * gap).cast_unsigned() > best.limit {
                 break;
             }
             best.meet(color, entry, index);
+            index = index.wrapping_add(1);
         }
-        for (index, &entry) in (0..class).zip(lower).rev() {
+        let mut index = class;
+        for &entry in lower.iter().rev() {
+            index = index.wrapping_sub(1);
             let gap = wanted - i32::from(key(entry));
             if (gap * gap).cast_unsigned() > best.limit {
                 break;

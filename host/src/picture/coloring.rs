@@ -9,7 +9,9 @@ use rta_core::color::Rgb;
 use rta_core::raster::lattice::Lattice;
 use rta_drivers::display::Capabilities;
 use rta_drivers::dither::{Cell, Damped, Diffusion, Dither, FloydSteinberg, Ordered, Plain};
-use rta_drivers::quantize::{Adaptive, ColorTable, MAX_SAMPLES, SAMPLES, TableError, Uniform, variance_cut};
+use rta_drivers::quantize::{
+    Adaptive, ColorTable, MAX_SAMPLES, SAMPLES, TableError, Uniform, to_guns, variance_cut,
+};
 
 use super::device::Device;
 use super::raster::Size;
@@ -148,8 +150,10 @@ impl Coloring {
         Ok(match self.table {
             TableKind::Sampled | TableKind::Baked => Box::new(cut()?),
             TableKind::Frame => {
-                let first = cut()?;
-                Box::new(k_means::refined(first, &memory, gun_max)?)
+                let place = |i: u32| (i % width.max(1), i / width.max(1));
+                let levels =
+                    (0..).map(place).zip(samples).map(|((x, y), &light)| to_guns(light, x, y, gun_max));
+                Box::new(k_means::refined(cut()?, levels, gun_max)?)
             }
             TableKind::Tolerant => Box::new(Adaptive::tolerant(colors, gun_max)?),
             TableKind::Adaptive => Box::new(Adaptive::new(colors)?),

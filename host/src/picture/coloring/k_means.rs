@@ -17,9 +17,13 @@ const ROUNDS: u32 = 32;
 ///
 /// # Errors
 /// Those of [`Palette::new`]; there are none for entries that a palette has given.
-pub(super) fn refined(palette: Palette, pixels: &[Rgb<u8>], gun_max: u8) -> Result<Palette, TableError> {
+pub(super) fn refined(
+    palette: Palette,
+    pixels: impl Iterator<Item = Rgb<u8>>,
+    gun_max: u8,
+) -> Result<Palette, TableError> {
     let mut counts = HashMap::<Rgb<u8>, u64>::new();
-    pixels.iter().for_each(|&pixel| *counts.entry(pixel).or_default() += 1);
+    pixels.for_each(|pixel| *counts.entry(pixel).or_default() += 1);
     let mut palette = palette;
     for _ in 0..ROUNDS {
         let mut sums = vec![(0_u64, Rgb::new(0_u64, 0, 0)); palette.entries().len()];
@@ -60,8 +64,11 @@ mod tests {
         let gray = |level| Rgb::new(level, level, level);
         let start = Palette::new(&[gray(20), gray(40)], 63).expect("a palette");
         let pixels = [[gray(10); 3], [gray(14); 3], [gray(60); 3]].concat();
-        let got = refined(start, &pixels, 63).expect("a palette");
+        let got = refined(start, pixels.iter().copied(), 63).expect("a palette");
         assert_eq!(got.levels(63).collect::<Vec<_>>(), [gray(0), gray(12), gray(60)]);
-        assert_eq!(refined(got.clone(), &pixels, 63).expect("a palette").entries(), got.entries());
+        assert_eq!(
+            refined(got.clone(), pixels.iter().copied(), 63).expect("a palette").entries(),
+            got.entries()
+        );
     }
 }

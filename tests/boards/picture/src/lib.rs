@@ -122,19 +122,21 @@ fn draw_sized<D: Display, T: ColorTable>(
             row,
         );
     }
-    let palette = palette(&tracer, raster, display.capabilities()).map_err(DrawError::Table)?;
+    let mut palette = palette(&tracer, raster, display.capabilities()).map_err(DrawError::Table)?;
     if COLORS == Colors::Dithered {
         // The hash is that of rows of 160.
         let mut cells = [Cell::default(); if WIDTH < 160 { 160 } else { WIDTH as usize }];
         if let Ok(diffusion) = Diffusion::<Damped, _>::new(&mut cells[..], width as usize) {
-            let painter = Painter::dithered(display, palette, diffusion).map_err(DrawError::Display)?;
+            let painter = Painter::dithered(display, &mut palette, diffusion).map_err(DrawError::Display)?;
             return paint(&tracer, raster, painter, origin, row);
         }
     }
-    paint(&tracer, raster, Painter::new(display, palette).map_err(DrawError::Display)?, origin, row)
+    paint(&tracer, raster, Painter::new(display, &mut palette).map_err(DrawError::Display)?, origin, row)
 }
 
 /// Makes a palette for the picture on a display, from samples of it.
+// By itself, so that the samples' memory is free again when the picture is drawn.
+#[inline(never)]
 fn palette<A: Accelerator<scene::Number>>(
     tracer: &Traced<'_, A>,
     raster: Raster,
