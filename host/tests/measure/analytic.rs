@@ -44,7 +44,7 @@ fn it_does_not_matter_which_picture_is_the_reference() {
     }
 }
 
-/// Green and blue are the farthest colours of the screen, which have error 1 (section 4.1.3 of the paper). The distance of black
+/// Green and blue are the farthest colours of the screen, which have error 1 by definition. The distance of black
 /// from white is 100 in lightness alone, that of green from blue 203.0 by the paper's equations, so that their errors are 1 and
 /// 0.95 + 0.05 (100^0.7 - 0.4 d) / (0.6 d) with d = 203.0^0.7.
 #[test]

@@ -1,14 +1,14 @@
 //! LDR-FLIP: how visible the difference is to somebody who flips between two pictures, from 0 to 1 for each pixel. P. Andersson,
 //! J. Nilsson, T. Akenine-Möller, M. Oskarsson, K. Åström and M. D. Fairchild, "FLIP: A Difference Evaluator for Alternating
-//! Images", Proc. ACM Comput. Graph. Interact. Tech. 3(2), 2020. Sections and equations below are the paper's.
+//! Images", Proc. ACM Comput. Graph. Interact. Tech. 3(2), 2020, section 4:
 //!
-//! | section | what |
+//! | step of the paper | what |
 //! | --- | --- |
-//! | 4.1.1 | a colour's three opponent parts, blurred by the contrast sensitivity of the eye |
-//! | 4.1.2 | the distance of two colours in CIELAB, with the Hunt effect |
-//! | 4.1.3 | the distance brought to 0..1 |
-//! | 4.2 | edges and points of luminance |
-//! | 4.3 | one error out of both differences |
+//! | spatial filtering | a colour's three opponent parts, blurred by the contrast sensitivity of the eye |
+//! | colour metric | the HyAB distance of two colours in CIELAB with the Hunt effect |
+//! | error redistribution | the distance brought to 0..1 |
+//! | feature pipeline | edges and points of luminance |
+//! | final difference | one error out of both differences |
 //!
 //! Filters, their radii, their normalization and the border are those of the authors' own program (flip-evaluator 1.7).
 
@@ -20,18 +20,18 @@ use super::colorimetry::{Lab, RGB_OF_XYZ, WHITE, XYZ_OF_RGB, product, xyz};
 use super::convolution::{Kernel, Plane, SHARPEST, distances, gaussian, gaussian_sum};
 use super::{Pair, PixelsPerDegree};
 
-/// The exponent q_c of a distance between colours (section 4.1.3).
+/// The exponent q_c of a distance between colours (colour metric).
 const COLOR_EXPONENT: f64 = 0.7;
-/// The part p_c of the greatest distance where compression begins (section 4.1.3).
+/// The part p_c of the greatest distance where compression begins (error redistribution).
 const KNEE: f64 = 0.4;
-/// The part p_t of the range 0..1 that distances below the knee fill (section 4.1.3).
+/// The part p_t of the range 0..1 that distances below the knee fill (error redistribution).
 const KNEE_ERROR: f64 = 0.95;
-/// The width w of an edge that the feature filters answer to, in degrees (section 4.2).
+/// The width w of an edge that the feature filters answer to, in degrees (feature pipeline).
 const FEATURE_WIDTH: f64 = 0.082;
-/// The exponent q_f of a difference of features (section 4.2).
+/// The exponent q_f of a difference of features (feature pipeline).
 const FEATURE_EXPONENT: f64 = 0.5;
 
-/// Gaussians of the contrast sensitivity (section 4.1.1, table 1) as `(a, b)`: a sqrt(pi / b) exp(-pi^2 x^2 / b), x in degrees.
+/// Gaussians of the contrast sensitivity (spatial filtering) as `(a, b)`: a sqrt(pi / b) exp(-pi^2 x^2 / b), x in degrees.
 const ACHROMATIC: [(f64, f64); 1] = [(1.0, 0.0047)];
 /// Those of the opponent part from green to red.
 const RED_GREEN: [(f64, f64); 1] = [(1.0, 0.0053)];
@@ -85,7 +85,7 @@ impl Seen {
     }
 }
 
-/// Returns the opponent parts of a picture's colours: Y, X - Y and Y - Z, relative to white. These are the YCxCz of section 4.1.1
+/// Returns the opponent parts of a picture's colours: Y, X - Y and Y - Z, relative to white. These are the YCxCz of the paper
 /// without its factors and its offset, which filters whose weights have the sum 1 leave as they are.
 #[expect(clippy::cast_possible_truncation, reason = "planes are f32")]
 fn planes(pixels: &[Rgb<u8>], columns: usize) -> [Plane; 3] {
@@ -107,13 +107,13 @@ fn seen_color(y: f64, cx: f64, cz: f64) -> Lab {
     hunt(rgb.map(|light| light.clamp(0.0, 1.0)))
 }
 
-/// Returns linear sRGB in CIELAB, where the chroma of dark colours is less (equation 4).
+/// Returns linear sRGB in CIELAB, where the chroma of dark colours is less.
 fn hunt(rgb: [f64; 3]) -> Lab {
     let Lab { l, a, b } = Lab::of_xyz(product(&XYZ_OF_RGB, rgb));
     Lab { l, a: 0.01 * l * a, b: 0.01 * l * b }
 }
 
-/// Returns the HyAB distance to the power of q_c (section 4.1.2): lightness and chroma are told apart.
+/// Returns the HyAB distance to the power of q_c (colour metric): lightness and chroma are told apart.
 fn distance(color: Lab, other: Lab) -> f64 {
     let hyab = (color.l - other.l).abs() + (color.a - other.a).hypot(color.b - other.b);
     hyab.powf(COLOR_EXPONENT)
@@ -124,7 +124,7 @@ fn greatest_distance() -> f64 {
     distance(hunt([0.0, 1.0, 0.0]), hunt([0.0, 0.0, 1.0]))
 }
 
-/// Returns a distance of colours as an error of 0 to 1; the largest distances are compressed (section 4.1.3).
+/// Returns a distance of colours as an error of 0 to 1; the largest distances are compressed (error redistribution).
 fn color_error(distance: f64, greatest: f64) -> f64 {
     let knee = KNEE * greatest;
     if distance < knee {
@@ -134,14 +134,14 @@ fn color_error(distance: f64, greatest: f64) -> f64 {
     }
 }
 
-/// Returns the difference of edges or of points, whichever is larger, as an error of 0 to 1 (section 4.2).
+/// Returns the difference of edges or of points, whichever is larger, as an error of 0 to 1.
 fn feature_error(feature: Feature, other: Feature) -> f64 {
     let edges = (feature.edge - other.edge).abs();
     let points = (feature.point - other.point).abs();
     (edges.max(points) / 2.0_f64.sqrt()).powf(FEATURE_EXPONENT)
 }
 
-/// Returns the edges and points of luminance (section 4.2).
+/// Returns the edges and points of luminance.
 fn features(luminance: &Plane, filters: &Filters) -> Vec<Feature> {
     let Derivatives { none, first, second } = &filters.features;
     let smooth = luminance.along_rows(none);
@@ -191,7 +191,7 @@ fn sensitivity(gaussians: &[(f64, f64)], radius: u16, pixels_per_degree: f64) ->
     parts.into_iter().map(|(part, kernel)| ((part / volume) as f32, kernel)).collect()
 }
 
-/// A Gaussian and its first and second derivatives in one dimension, which answer to edges and to points (section 4.2).
+/// A Gaussian and its first and second derivatives in one dimension, which answer to edges and to points.
 struct Derivatives {
     none: Kernel,
     first: Kernel,
