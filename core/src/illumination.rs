@@ -68,8 +68,8 @@ pub trait Illumination<S: Scalar>: Send + Sync {
     /// Whether lamps behind the surface light it too, as for translucent materials.
     const BOTH_SIDES: bool = false;
 
-    /// Whether shiny surfaces reflect, and mirrors and glass show highlights. [`Used::by`](crate::used::Used::by) derives the
-    /// [`Needs`] of a scene from it; true, the default, may compile in more code than necessary, never less.
+    /// Whether shiny surfaces reflect, and mirrors and glass show highlights. The [`Needs`] of a scene are
+    /// derived from it; true, the default, may compile in more code than necessary, never less.
     const SPECULAR: bool = true;
 
     /// Whether the model uses [`Incident::irradiance`], light that is attenuated with the distance of its lamp. It decides

@@ -36,6 +36,7 @@ pub mod illumination;
 pub mod light;
 pub mod material;
 pub mod needs;
+mod quantity;
 pub mod range;
 pub mod raster;
 pub mod ray;
@@ -44,7 +45,6 @@ pub mod scene;
 pub mod shape;
 pub mod surface;
 pub mod trace;
-pub mod used;
 pub mod world;
 
 pub use error::Error;

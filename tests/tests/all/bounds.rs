@@ -3,6 +3,7 @@
 
 use rta::paired::log::{Kind, Operation, record};
 use rta::paired::{Format, Paired};
+use rta_core::accelerator::Lists;
 use rta_core::illumination::Rta;
 use rta_core::needs::Everything;
 use rta_core::range::{Bound, Quantity};
@@ -42,7 +43,7 @@ where
     Paired<S>: rta_scenes::narrow::Narrow + Scalar,
 {
     let narrowed = narrow::<Paired<S>>(scene, 4.0 / 3.0).ok()?;
-    let bounds: [Bound; 13] = narrowed.scene().prove(&narrowed.camera).bounds;
+    let bounds: [Bound; 13] = narrowed.scene().prove(&narrowed.camera, &Lists).bounds;
     let admitted = narrowed.scene().admit(&narrowed.camera).ok()?;
     let tracer: Tracer<_, _, Everything, 5> = Tracer::new(&admitted, Rta, 5).expect("depth 5 of 5");
     let bound =
