@@ -2,11 +2,11 @@
 //! interrupts, a test collects all.
 
 pub mod lattice;
-pub mod sampling;
+mod places;
 
 use core::iter::FusedIterator;
 
-use sampling::{Center, Places};
+pub use places::{Center, Places};
 
 use crate::accelerator::{Accelerator, Lists};
 use crate::camera::Camera;

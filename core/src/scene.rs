@@ -141,12 +141,9 @@ macro_rules! lists {
                 $((0..).zip(self.$list).for_each(|(i, object)| see(Object::$Kind(i), object.look()));)+
             }
 
-            /// Returns what the objects of the lists need to be compiled in; nothing where there are none.
-            pub fn shapes(&self) -> Used {
-                let mut used = Used::default();
-                $(used.$list = !self.$list.is_empty();
-                self.$list.iter().for_each(|object| object.note_needs(&mut used));)+
-                used
+            /// Returns which kinds of objects the scene has; nothing else is set.
+            pub fn kinds(&self) -> Used {
+                Used { $($list: !self.$list.is_empty(),)+ ..Used::default() }
             }
         }
     };

@@ -8,8 +8,9 @@ use rta_core::scene::Scene;
 /// Returns what a scene uses. `specular` is the illumination model's
 /// [`SPECULAR`](rta_core::illumination::Illumination::SPECULAR).
 pub fn by<S: Scalar>(scene: &Scene<S>, specular: bool) -> Used {
-    let mut used = scene.shapes();
+    let mut used = scene.kinds();
     let has_objects = used != Used::default();
+    used.normals = scene.triangles.iter().any(|triangle| triangle.normals.is_some());
     let (mut shiny, mut mirror, mut diffuse) = (false, false, scene.floor.is_some());
     scene.looks(|_, look| match look.material {
         Material::Opaque => diffuse = true,

@@ -2,8 +2,6 @@
 //! and 64 bits, with 32 x 32 -> 64 multiplications and no division.
 #![allow(clippy::cast_possible_truncation)] // sizes are at the line
 
-mod exponential;
-
 pub use exponential::{exp2_minus, minus_log2};
 
 /// A positive number `m / 2^(30 + e)`, `m` in [2^30, 2^31], as a reciprocal of an integer between 1 and 2^32.
@@ -13,19 +11,26 @@ pub struct Reciprocal {
     exponent: u8,
 }
 
-/// First guess of [`rsqrt`]: `2^14 / sqrt(i / 64)` for `i` in `16..=64`.
-const GUESS: [u16; 49] = {
-    let mut table = [0; 49];
-    let mut i = 0;
-    while i < table.len() {
-        #[allow(clippy::indexing_slicing)] // i < len
-        {
-            table[i] = ((64u64 << 28) / (i as u64 + 16)).isqrt() as u16; // at most 2^15
+/// Makes a table at compile time: `$value` for each index `$i`.
+macro_rules! table {
+    ($length:literal, $i:ident => $value:expr) => {{
+        let mut table = [0; $length];
+        let mut $i = 0;
+        while $i < $length {
+            #[allow(clippy::indexing_slicing, reason = "below the length")]
+            {
+                table[$i] = $value;
+            }
+            $i += 1;
         }
-        i += 1;
-    }
-    table
-};
+        table
+    }};
+}
+
+mod exponential;
+
+/// First guess of [`rsqrt`]: `2^14 / sqrt(i / 64)` for `i` in `16..=64`, at most 2^15.
+const GUESS: [u16; 49] = table!(49, i => ((64u64 << 28) / (i as u64 + 16)).isqrt() as u16);
 
 /// Returns `2^30 / sqrt(m / 2^32)`, for `m >= 2^30`: the reciprocal square root of a number in [1/4, 1[, within 2 units of
 /// the last place (2^-30).

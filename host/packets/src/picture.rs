@@ -11,7 +11,7 @@ use rta_core::needs::Everything;
 use rta_core::range::Admitted;
 use rta_core::raster::Raster;
 use rta_core::raster::lattice::Lattice;
-use rta_core::raster::sampling::{Center, Places, Sampling};
+use rta_core::sampling::{Center, Places, Sampling};
 use rta_core::scalar::Unit;
 use rta_core::scene::Limits;
 use rta_core::trace::{Observer, Tracer};

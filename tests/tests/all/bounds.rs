@@ -55,7 +55,7 @@ where
             let center = |i: i64, n: i64| <Paired<S> as Scalar>::Unit::ratio(2 * i + 1 - n, 2 * n);
             let direction: UnitVec3<Paired<S>> =
                 narrowed.camera.direction(center(i, 320), center(199 - j, 200));
-            tracer.primary(&narrowed.camera, direction);
+            tracer.radiance(narrowed.camera.eye, direction);
         });
         assert!(!log.operations.is_empty(), "the scalar is instrumented");
         for operation in &log.operations {

@@ -13,7 +13,7 @@ use rta_core::illumination::Illumination;
 use rta_core::needs::Everything;
 use rta_core::range::Admitted;
 use rta_core::raster::Raster;
-use rta_core::raster::sampling::{Center, Places};
+use rta_core::sampling::{Center, Places};
 use rta_core::trace::Tracer;
 use rta_packets::{Packets, ShadowCache, ToF32};
 use rta_scenes::description::Description;
