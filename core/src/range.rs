@@ -91,7 +91,7 @@ impl Worst {
 }
 
 /// Returns a bound of the largest register of a colour.
-fn strongest<U: Unit>(Rgb { r, g, b }: Rgb<U>) -> Magnitude {
+fn strongest(Rgb { r, g, b }: Rgb<impl Number>) -> Magnitude {
     r.size().max(g.size()).max(b.size())
 }
 
@@ -244,9 +244,7 @@ impl<'a, S: Scalar> Scene<'a, S> {
         });
         let mut radiance = Worst(one, None);
         for light in [self.sky.horizon, self.sky.zenith, self.ambient] {
-            for register in [light.r, light.g, light.b] {
-                radiance.see(register.size(), None);
-            }
+            radiance.see(strongest(light), None);
         }
         for (i, lamp) in (0..).zip(self.lamps) {
             let glint = lamp.power.size();

@@ -79,11 +79,11 @@ impl<S: Scalar> Accelerator<S> for Bvh<'_, S> {
             if skip != number {
                 continue;
             }
-            if over_spheres {
-                visit.run(Object::Sphere(node.first), scene.spheres.get(run).unwrap_or_default())?;
-            } else {
+            if !over_spheres {
                 let run = self.order.get(run).unwrap_or_default();
                 run.iter().try_for_each(|&object| scene.one::<N>(object, visit))?;
+            } else if N::SPHERES {
+                visit.run(Object::Sphere(node.first), scene.spheres.get(run).unwrap_or_default())?;
             }
         }
         ControlFlow::Continue(())

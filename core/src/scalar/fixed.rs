@@ -116,6 +116,7 @@ impl Unit for I2F30 {
         let size = saturate(reciprocal.times(self.to_bits().saturating_abs()));
         Self::from_bits(if (self < Self::ZERO) == (divisor < Self::ZERO) { size } else { -size })
     }
+    #[cfg_attr(not(target_os = "none"), inline)]
     fn radical(a: Self, b: Self, minus: Self) -> Option<Self> {
         let square = |c: Self| wide(c.to_bits(), c.to_bits());
         root(square(a) - square(minus) + square(b))
@@ -123,6 +124,7 @@ impl Unit for I2F30 {
 }
 
 /// Returns the square root of a number with twice the fractional bits of a unit.
+#[cfg_attr(not(target_os = "none"), inline)]
 fn root(square: i64) -> Option<I2F30> {
     let root = integer::sqrt(u64::try_from(square).ok()?);
     Some(I2F30::from_bits(word(i64::from(root))))
@@ -208,12 +210,14 @@ impl UnitVector for Xyz<I2F30> {
             I2F30::from_bits(round((i << UNIT_BITS) - 2 * n))
         })
     }
+    #[cfg_attr(not(target_os = "none"), inline)]
     fn halfway(self, other: Self) -> Option<Self> {
         let mean = self.zip(other, |a, b| {
             I2F30::from_bits(word((i64::from(a.to_bits()) + i64::from(b.to_bits())) >> 1))
         });
         UnitVector::normalize(mean).map(|(halfway, _)| halfway)
     }
+    #[cfg_attr(not(target_os = "none"), inline)]
     fn half_chord(self, radius: I2F30) -> Option<I2F30> {
         let square = |c: I2F30| wide(c.to_bits(), c.to_bits());
         root(square(radius) - square(self.x) - square(self.y) - square(self.z))

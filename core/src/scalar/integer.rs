@@ -60,6 +60,7 @@ fn normalize(value: u64) -> (u64, u32) {
 }
 
 /// Returns the square root, rounded to the nearest (an exact half cannot occur).
+#[cfg_attr(not(target_os = "none"), inline)]
 pub fn sqrt(value: u64) -> u32 {
     if value == 0 {
         return 0;
@@ -89,6 +90,7 @@ impl Reciprocal {
     }
 
     /// Returns `1 / value`; a `value` of 0 counts as 1.
+    #[cfg_attr(not(target_os = "none"), inline)]
     pub fn of(value: u32) -> Self {
         let value = value.max(1);
         let exponent = 32 - value.leading_zeros();
