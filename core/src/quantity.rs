@@ -2,7 +2,6 @@
 
 use core::fmt;
 
-use crate::error::Error;
 use crate::scalar::Magnitude;
 use crate::scene::Object;
 
@@ -86,13 +85,5 @@ impl Bound {
     /// Returns whether the bound is within the limit, or the quantity saturates.
     pub fn holds(&self) -> bool {
         self.bound <= self.limit || self.quantity == Quantity::Radiance
-    }
-
-    /// Returns nothing if the bound [holds](Bound::holds).
-    ///
-    /// # Errors
-    /// [`Error::Exceeds`] if it does not.
-    pub fn check(self) -> Result<(), Error> {
-        if self.holds() { Ok(()) } else { Err(Error::Exceeds(self)) }
     }
 }

@@ -166,10 +166,14 @@ impl<'a, S: Scalar> Scene<'a, S> {
         }
     }
 
-    /// Returns the bound of the weight of a ray of this depth: a ray carries a factor for each surface that it left, and two mirrors
+    /// Checks that the weight of a ray of this depth fits: a ray carries a factor for each surface that it left, and two mirrors
     /// face to face reach it.
-    pub fn weight(&self, depth: u8) -> Bound {
-        weight::<S::Unit>(self.heaviest(), depth)
+    ///
+    /// # Errors
+    /// [`Error::Exceeds`] if it does not.
+    pub fn check_depth(&self, depth: u8) -> Result<(), Error> {
+        let weight = weight::<S::Unit>(self.heaviest(), depth);
+        if weight.holds() { Ok(()) } else { Err(Error::Exceeds(weight)) }
     }
 
     /// Returns the largest part of its light that a surface sends on, 1 at least, and the surface.

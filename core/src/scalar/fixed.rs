@@ -81,6 +81,7 @@ impl Unit for I2F30 {
         let bits = i32::try_from((scaled + 1) >> 1).unwrap_or(i32::MAX);
         Self::from_bits(if numerator < 0 { -bits } else { bits })
     }
+    #[cfg_attr(not(target_os = "none"), inline)]
     fn fraction(numerator: i32, denominator: u32) -> Self {
         let divisor = denominator.clamp(1, 1 << 31);
         let mut rest = numerator.unsigned_abs();
@@ -97,6 +98,7 @@ impl Unit for I2F30 {
         let bits = (bits / 2 + bits % 2).min(i32::MAX.cast_unsigned()).cast_signed();
         Self::from_bits(if numerator < 0 { -bits } else { bits })
     }
+    #[cfg_attr(not(target_os = "none"), inline)]
     fn times(self, factor: Self) -> Self {
         Self::from_bits(round(wide(self.to_bits(), factor.to_bits())))
     }
@@ -176,6 +178,7 @@ impl UnitVector for Xyz<I2F30> {
         let p = self.zip(other, |a, b| wide(a.to_bits(), b.to_bits()));
         I2F30::from_bits(round(p.x + p.y + p.z))
     }
+    #[cfg_attr(not(target_os = "none"), inline)]
     fn cross(self, other: Self) -> Self {
         let part = |a: I2F30, b: I2F30, c: I2F30, d: I2F30| {
             I2F30::from_bits(round(wide(a.to_bits(), b.to_bits()) - wide(c.to_bits(), d.to_bits())))

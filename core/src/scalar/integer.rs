@@ -120,6 +120,7 @@ impl Reciprocal {
     }
 
     /// Returns `2^30 factor / value`, rounded.
+    #[cfg_attr(not(target_os = "none"), inline)]
     pub fn times(self, factor: i32) -> i64 {
         shift_right_by(wide_mixed(factor, self.mantissa), u32::from(self.exponent))
     }

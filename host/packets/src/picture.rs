@@ -197,7 +197,7 @@ impl<S: Format> Ready<S> {
         let limits = narrowed.scene().admit(&narrowed.camera)?.limits;
         let depth = u8::try_from(setup.depth).unwrap_or(u8::MAX);
         if depth > limits.depth {
-            narrowed.scene().weight(depth).check()?;
+            narrowed.scene().check_depth(depth)?;
         }
         // Last, as it takes longest: a scene that is refused is refused at once.
         let packets = Packets::build::<S>(scene);

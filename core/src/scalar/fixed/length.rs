@@ -67,12 +67,14 @@ macro_rules! fixed_point {
                 let root = integer::sqrt(u64::try_from(square.to_bits()).unwrap_or(0));
                 Self::from_bits(word(i64::from(root)))
             }
+            #[cfg_attr(not(target_os = "none"), inline)]
             fn inverse(self) -> Reciprocal {
                 Reciprocal::of(self.to_bits().unsigned_abs())
             }
             fn fraction(self, whole: Reciprocal) -> I2F30 {
                 I2F30::from_bits(saturate(whole.times(self.to_bits())))
             }
+            #[cfg_attr(not(target_os = "none"), inline)]
             fn stretch(self, slope: Reciprocal) -> Self {
                 let last = i64::from(i32::MAX - 1);
                 Self::from_bits(word(slope.times(self.to_bits()).clamp(-last, last)))
@@ -134,6 +136,7 @@ macro_rules! fixed_point {
                 let p = self.zip(direction, |a, b| wide(a.to_bits(), b.to_bits()));
                 <$f>::from_bits(round(p.x + p.y + p.z))
             }
+            #[cfg_attr(not(target_os = "none"), inline)]
             fn norm_squared(self) -> $wide {
                 self.x.square() + self.y.square() + self.z.square()
             }
@@ -159,18 +162,22 @@ macro_rules! fixed_point {
                 let (direction, length, reciprocal) = normalize(self.map(<$f>::to_bits))?;
                 Some((direction, <$f>::from_bits(word(i64::from(length))), reciprocal))
             }
+            #[cfg_attr(not(target_os = "none"), inline)]
             fn clearance(self, extent: $f) -> ($f, $f) {
                 let step = LEAVE_LSB + (extent.to_bits() >> LOCAL_BITS);
                 (<$f>::from_bits(step), <$f>::from_bits(6 * step))
             }
+            #[cfg_attr(not(target_os = "none"), inline)]
             fn dot_plan(self, plan: Plan<$f>) -> $f {
                 let (x, y) = (self.x.to_bits(), self.y.to_bits());
                 <$f>::from_bits(round(wide(x, plan.x.to_bits()) + wide(y, plan.y.to_bits())))
             }
+            #[cfg_attr(not(target_os = "none"), inline)]
             fn cross_plan(self, plan: Plan<$f>) -> $f {
                 let (x, y) = (self.x.to_bits(), self.y.to_bits());
                 <$f>::from_bits(round(wide(x, plan.y.to_bits()) - wide(y, plan.x.to_bits())))
             }
+            #[cfg_attr(not(target_os = "none"), inline)]
             fn cross_plan_over(self, plan: Plan<$f>, radius: Reciprocal) -> I2F30 {
                 let (x, y) = (self.x.to_bits(), self.y.to_bits());
                 let (mantissa, e) = radius.parts();

@@ -114,7 +114,7 @@ fn watched<S: Readable + ToF32, M: Illumination<S> + Sync>(
     let narrowed = narrow::<S>(scene, settings.aspect)?;
     let limits = narrowed.scene().admit(&narrowed.camera)?.limits;
     let depth = u8::try_from(settings.depth).unwrap_or(u8::MAX);
-    narrowed.scene().weight(depth).check()?;
+    narrowed.scene().check_depth(depth)?;
     let packets = Packets::build::<S>(scene);
     let admitted = Admitted::baked(narrowed.scene(), limits, &packets);
     let tracer =
