@@ -14,6 +14,7 @@ pub use bvh::{Bvh, Node};
 pub use closest::{Closest, STEEPEST, is_flat};
 pub use transmittance::{Filters, transmitted};
 
+use crate::error::Error;
 use crate::needs::Needs;
 use crate::ray::Ray;
 use crate::scalar::vector::Vec3;
@@ -45,8 +46,8 @@ pub trait Accelerator<S: Scalar>: Copy + Send + Sync {
     /// and, as far as that can be told, that nodes contain their objects.
     ///
     /// # Errors
-    /// The number of the first node that is wrong.
-    fn check(&self, scene: &Scene<'_, S>) -> Result<(), WrongNode>;
+    /// [`Error::Hierarchy`] with the number of the first node that is wrong.
+    fn check(&self, scene: &Scene<'_, S>) -> Result<(), Error>;
 
     /// Calls `see` with each further place, such as a node's centre, whose distance from a ray's origin is computed.
     fn places(&self, _see: impl FnMut(Vec3<S>)) {}
@@ -79,10 +80,6 @@ pub trait Accelerator<S: Scalar>: Copy + Send + Sync {
     }
 }
 
-/// The number of a node of an accelerator that does not fit the scene.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct WrongNode(pub usize);
-
 /// The accelerator that tests one object after the other, list by list.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Lists;
@@ -100,7 +97,7 @@ impl<S: Scalar> Accelerator<S> for Lists {
         scene.each::<N>(visit)
     }
 
-    fn check(&self, _scene: &Scene<'_, S>) -> Result<(), WrongNode> {
+    fn check(&self, _scene: &Scene<'_, S>) -> Result<(), Error> {
         Ok(())
     }
 }

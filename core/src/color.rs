@@ -27,9 +27,7 @@ impl<T> Rgb<T> {
     pub fn map<U>(self, mut f: impl FnMut(T) -> U) -> Rgb<U> {
         Rgb { r: f(self.r), g: f(self.g), b: f(self.b) }
     }
-}
 
-impl<T> Rgb<T> {
     /// Applies `f` to each pair of registers.
     #[inline]
     pub fn zip<U, V>(self, other: Rgb<U>, mut f: impl FnMut(T, U) -> V) -> Rgb<V> {

@@ -2,14 +2,21 @@
 
 use core::fmt;
 
-use crate::range::RangeError;
+use crate::quantity::{Bound, Cause};
+use crate::scene::Object;
 
-/// An error of the core.
+/// The reason why a scene, a depth or a raster is refused.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Error {
-    /// The scene does not fit the number format.
-    Range(RangeError),
+    /// A quantity of the scene exceeds its limit in the number format.
+    Exceeds(Bound),
+    /// A radius is not above 0 (a lamp's: below 0).
+    Radius(Object),
+    /// A reflectance is below 0.
+    Color(Object),
+    /// A node of a hierarchy is wrong: see [`Accelerator::check`](crate::accelerator::Accelerator::check).
+    Hierarchy(usize),
     /// The recursion depth exceeds the capacity of the ray stack, or the weight of a ray may not fit the number format there.
     Depth {
         /// The depth that was asked for.
@@ -26,16 +33,52 @@ pub enum Error {
     },
 }
 
-impl From<RangeError> for Error {
-    fn from(error: RangeError) -> Self {
-        Self::Range(error)
+impl Error {
+    /// Returns the objects that cause the error: none, one, or two that are too far apart.
+    pub fn objects(&self) -> [Option<Object>; 2] {
+        match *self {
+            Self::Exceeds(Bound { object, other: Some(Cause::Object(other)), .. }) => [object, Some(other)],
+            Self::Exceeds(Bound { object, .. }) => [object, None],
+            Self::Radius(object) | Self::Color(object) => [Some(object), None],
+            _ => [None; 2],
+        }
     }
-}
 
-impl fmt::Display for Error {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Range(error) => error.fmt(f),
+    /// Writes the error with the lines of its objects in a scene file, where `line` knows them.
+    ///
+    /// # Errors
+    /// Those of the formatter.
+    pub fn write(&self, f: &mut fmt::Formatter<'_>, line: impl Fn(Object) -> Option<u32>) -> fmt::Result {
+        let named = |object| {
+            let line = &line;
+            fmt::from_fn(move |f| match object {
+                Cause::Eye => f.write_str("the observer"),
+                Cause::Object(Object::Floor) => f.write_str("the floor"),
+                Cause::Object(object) => {
+                    write!(f, "{object}")?;
+                    line(object).map_or(Ok(()), |line| write!(f, " (line {line})"))
+                }
+            })
+        };
+        match *self {
+            Self::Exceeds(Bound { quantity, bound, limit, object, other }) => {
+                write!(f, "{}", named(object.map_or(Cause::Eye, Cause::Object)))?;
+                match other {
+                    Some(other) => write!(f, " and {} are", named(other)),
+                    None => f.write_str(" is"),
+                }?;
+                write!(f, " out of the number format's range: {quantity} {bound}, beyond the largest {limit}")
+            }
+            Self::Radius(object) => {
+                let object = named(Cause::Object(object));
+                write!(f, "{object} has a radius that is not above 0 in the number format")
+            }
+            Self::Color(object) => {
+                write!(f, "{} has a colour with a negative register", named(Cause::Object(object)))
+            }
+            Self::Hierarchy(node) => {
+                write!(f, "node {node} of the hierarchy does not contain its objects, or leads nowhere")
+            }
             Self::Depth { depth, capacity } => {
                 write!(
                     f,
@@ -50,11 +93,10 @@ impl fmt::Display for Error {
     }
 }
 
-impl core::error::Error for Error {
-    fn source(&self) -> Option<&(dyn core::error::Error + 'static)> {
-        match self {
-            Self::Range(error) => Some(error),
-            _ => None,
-        }
+impl fmt::Display for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.write(f, |_| None)
     }
 }
+
+impl core::error::Error for Error {}

@@ -3,10 +3,14 @@
 //! The tracer calls the model, never the other way: for a [`Surface`] and one [`Incident`] lamp at a time the model returns
 //! light, and for a surface the [`Weight`]s of its secondary rays. The model of a picture is one type parameter.
 
+mod weight;
+
+pub use weight::Weight;
+
 use crate::color::Rgb;
 use crate::light::Incident;
 use crate::needs::Needs;
-use crate::scalar::{Light, Scalar, Unit};
+use crate::scalar::Scalar;
 use crate::surface::Surface;
 
 /// Declares the module of each model, and lets other crates repeat something for each of them.
@@ -68,8 +72,8 @@ pub trait Illumination<S: Scalar>: Send + Sync {
     /// Whether lamps behind the surface light it too, as for translucent materials.
     const BOTH_SIDES: bool = false;
 
-    /// Whether shiny surfaces reflect, and mirrors and glass show highlights. [`Used::by`](crate::used::Used::by) derives the
-    /// [`Needs`] of a scene from it; true, the default, may compile in more code than necessary, never less.
+    /// Whether shiny surfaces reflect, and mirrors and glass show highlights. The [`Needs`] of a scene are
+    /// derived from it; true, the default, may compile in more code than necessary, never less.
     const SPECULAR: bool = true;
 
     /// Whether the model uses [`Incident::irradiance`], light that is attenuated with the distance of its lamp. It decides
@@ -88,50 +92,4 @@ pub trait Illumination<S: Scalar>: Send + Sync {
 
     /// Returns the weights of the secondary rays of the point.
     fn secondary<N: Needs>(&self, surface: &Surface<S>) -> Secondary<Self::Weight>;
-}
-
-/// The weight of a ray: the part of its light that arrives in the pixel.
-pub trait Weight<S: Scalar>: Copy + core::fmt::Debug + Send + Sync {
-    /// The weight of the primary ray: 1.
-    const WHOLE: Self;
-    /// Returns the product of two weights.
-    fn compose(self, other: Self) -> Self;
-    /// Returns the sum of two weights.
-    fn join(self, other: Self) -> Self;
-    /// Returns `light` times the weight.
-    fn filter(self, light: Rgb<S::Light>) -> Rgb<S::Light>;
-    /// Returns whether the weight is below `threshold` in every register.
-    fn is_below(self, threshold: S::Unit) -> bool;
-}
-
-impl<S: Scalar<Unit = U>, U: Unit> Weight<S> for U {
-    const WHOLE: Self = U::ONE;
-    fn compose(self, other: Self) -> Self {
-        Unit::times(self, other)
-    }
-    fn join(self, other: Self) -> Self {
-        self + other
-    }
-    fn filter(self, light: Rgb<S::Light>) -> Rgb<S::Light> {
-        light.map(|l| l.times(self))
-    }
-    fn is_below(self, threshold: U) -> bool {
-        self < threshold
-    }
-}
-
-impl<S: Scalar<Unit = U>, U: Unit> Weight<S> for Rgb<U> {
-    const WHOLE: Self = Rgb::new(U::ONE, U::ONE, U::ONE);
-    fn compose(self, other: Self) -> Self {
-        self.zip(other, Unit::times)
-    }
-    fn join(self, other: Self) -> Self {
-        self.zip(other, |a, b| a + b)
-    }
-    fn filter(self, light: Rgb<S::Light>) -> Rgb<S::Light> {
-        light.zip(self, Light::times)
-    }
-    fn is_below(self, threshold: U) -> bool {
-        self.r < threshold && self.g < threshold && self.b < threshold
-    }
 }

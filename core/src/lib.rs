@@ -9,7 +9,7 @@
 //!
 //! | step | where |
 //! | --- | --- |
-//! | [`raster::Pixels`] picks the pixel and the places of its samples | `raster.rs`, `raster/sampling.rs` |
+//! | [`raster::Pixels`] picks the pixel and the places of its samples | `raster.rs`, `raster/places.rs` |
 //! | [`camera::Camera`] makes the primary ray | `camera.rs` |
 //! | [`trace::Tracer`] takes the next pending ray, decides whether a lamp needs a shadow ray, pushes the secondary rays | `trace.rs`, `trace/decision.rs` |
 //! | the [`accelerator::Accelerator`] finds the nearest hit, and for a shadow ray the part of the lamp's light that arrives | `accelerator.rs`, `accelerator/*.rs` |
@@ -36,19 +36,19 @@ pub mod illumination;
 pub mod light;
 pub mod material;
 pub mod needs;
+mod quantity;
 pub mod range;
 pub mod raster;
 pub mod ray;
+pub mod sampling;
 pub mod scalar;
 pub mod scene;
 pub mod shape;
 pub mod surface;
 pub mod trace;
-pub mod used;
 pub mod world;
 
 pub use error::Error;
-pub use raster::sampling;
 pub use scalar::{Q16, Q20, Scalar, vector};
 
 /// The types that a program needs to draw a picture, for one `use`.
@@ -60,8 +60,8 @@ pub mod prelude {
     pub use crate::light::Lamp;
     pub use crate::material::Material;
     pub use crate::needs::{Everything, Needs};
-    pub use crate::raster::sampling::{Places, Sampling};
-    pub use crate::raster::{Pixels, Raster};
+    pub use crate::raster::{Pixels, Places, Raster};
+    pub use crate::sampling::Sampling;
     pub use crate::scalar::vector::{LengthVector, UnitVec3, UnitVector, Vec3, Vector, Xyz};
     pub use crate::scalar::{Light, Scalar, Unit};
     pub use crate::scene::{Scene, Sky};

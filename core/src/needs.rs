@@ -23,7 +23,7 @@ macro_rules! needs {
             $($(#[doc = $doc])+ const $NAME: bool = true;)+
         }
 
-        /// The constants of [`Needs`] as values; [`Used::by`](crate::used) finds those that a scene uses.
+        /// The constants of [`Needs`] as values; the crate `rta-scenes` finds those that a scene uses.
         #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
         #[allow(clippy::struct_excessive_bools, reason = "each is the constant of the same name")]
         pub struct Used {

@@ -18,22 +18,22 @@
 
 use core::ops::Deref;
 
-use crate::accelerator::{Accelerator, Lists, WrongNode};
+use crate::accelerator::{Accelerator, Lists};
 use crate::camera::Camera;
 use crate::color::Rgb;
+use crate::error::Error;
 use crate::material::{Finish, Material};
 use crate::needs::Needs;
+pub use crate::quantity::{Bound, Cause, Quantity};
 use crate::ray::Ray;
 use crate::scalar::vector::{UnitVec3, Vec3, Vector};
-use crate::scalar::{Light, Magnitude, Scalar, Unit};
+use crate::scalar::{Light, Magnitude, Number, Scalar, Unit};
 use crate::scene::{Hit, Limits, Object, Scene};
 use crate::world::World;
 
 mod extent;
-mod quantity;
 
 use extent::Extent;
-pub use quantity::{Bound, Cause, Quantity, RangeError, WithLines};
 
 /// A scene that was proved to fit its number format for one eye, and its accelerator.
 #[derive(Clone, Copy, Debug)]
@@ -91,7 +91,7 @@ impl Worst {
 }
 
 /// Returns a bound of the largest register of a colour.
-fn strongest<U: Unit>(Rgb { r, g, b }: Rgb<U>) -> Magnitude {
+fn strongest(Rgb { r, g, b }: Rgb<impl Number>) -> Magnitude {
     r.size().max(g.size()).max(b.size())
 }
 
@@ -119,7 +119,7 @@ pub struct Proof<S> {
     /// How far floor and vertical cylinders are seen and lit, and how deep rays may go.
     pub limits: Limits<S>,
     /// Why the scene is refused, if it is.
-    pub refused: Option<RangeError>,
+    pub refused: Option<Error>,
 }
 
 impl<'a, S: Scalar> Scene<'a, S> {
@@ -128,7 +128,7 @@ impl<'a, S: Scalar> Scene<'a, S> {
     ///
     /// # Errors
     /// The first object or quantity that does not fit.
-    pub fn admit(self, camera: &Camera<S>) -> Result<Admitted<'a, S>, RangeError> {
+    pub fn admit(self, camera: &Camera<S>) -> Result<Admitted<'a, S>, Error> {
         self.admit_with(camera, Lists)
     }
 
@@ -140,13 +140,13 @@ impl<'a, S: Scalar> Scene<'a, S> {
         self,
         camera: &Camera<S>,
         accelerator: A,
-    ) -> Result<Admitted<'a, S, A>, RangeError> {
-        let proof = self.prove_with(camera, &accelerator);
+    ) -> Result<Admitted<'a, S, A>, Error> {
+        let proof = self.prove(camera, &accelerator);
         if let Some(error) = proof.refused {
             return Err(error);
         }
         // Only after the proof may the distances between nodes and objects be computed.
-        accelerator.check(&self).map_err(|WrongNode(node)| RangeError::Hierarchy(node))?;
+        accelerator.check(&self)?;
         Ok(Admitted::baked(self, proof.limits, accelerator))
     }
 
@@ -166,10 +166,14 @@ impl<'a, S: Scalar> Scene<'a, S> {
         }
     }
 
-    /// Returns the bound of the weight of a ray of this depth: a ray carries a factor for each surface that it left, and two mirrors
+    /// Checks that the weight of a ray of this depth fits: a ray carries a factor for each surface that it left, and two mirrors
     /// face to face reach it.
-    pub fn weight(&self, depth: u8) -> Bound {
-        weight::<S::Unit>(self.heaviest(), depth)
+    ///
+    /// # Errors
+    /// [`Error::Exceeds`] if it does not.
+    pub fn check_depth(&self, depth: u8) -> Result<(), Error> {
+        let weight = weight::<S::Unit>(self.heaviest(), depth);
+        if weight.holds() { Ok(()) } else { Err(Error::Exceeds(weight)) }
     }
 
     /// Returns the largest part of its light that a surface sends on, 1 at least, and the surface.
@@ -191,28 +195,24 @@ impl<'a, S: Scalar> Scene<'a, S> {
         weight
     }
 
-    fn check_signs(&self) -> Result<(), RangeError> {
+    fn check_signs(&self) -> Result<(), Error> {
         let mut first = Ok(());
         self.solids(|object, _, radius, least| {
             let is_lamp = matches!(object, Object::Lamp(_));
             if first.is_ok() && !(least > S::ZERO || (is_lamp && radius == S::ZERO)) {
-                first = Err(RangeError::Radius(object));
+                first = Err(Error::Radius(object));
             }
         });
         self.surfaces(|object, color, _| {
             if first.is_ok() && [color.r, color.g, color.b].iter().any(|&c| c < S::Unit::ZERO) {
-                first = Err(RangeError::Color(object));
+                first = Err(Error::Color(object));
             }
         });
         first
     }
 
-    /// Returns the proof, whether its rows hold or not, for a scene that is searched by [`Lists`].
-    pub fn prove(&self, camera: &Camera<S>) -> Proof<S> {
-        self.prove_with(camera, &Lists)
-    }
-
-    fn prove_with(&self, camera: &Camera<S>, accelerator: &impl Accelerator<S>) -> Proof<S> {
+    /// Returns the proof, whether its rows hold or not, for a scene that is searched by `accelerator`.
+    pub fn prove(&self, camera: &Camera<S>, accelerator: &impl Accelerator<S>) -> Proof<S> {
         let largest = S::FAR.size();
         let most = largest.minus(largest.shift(-2)); // three quarters, so that the floor has a quarter at least
         let extent = Extent::of(self, camera, accelerator);
@@ -235,25 +235,23 @@ impl<'a, S: Scalar> Scene<'a, S> {
             seen_cylinders.see(cylinder_end, Some(Object::Cylinder(0)));
         }
         let mut thinness = Worst(one, None);
-        let mut smallest: Option<(Magnitude, Object)> = None;
+        let mut smallest = (largest, None);
         self.solids(|object, _, radius, least| {
             if least > S::ZERO {
                 if radius > least {
                     thinness.see(radius.size().over(least.size()), Some(object));
                 }
-                if smallest.is_none_or(|(size, _)| least.size() < size) {
-                    smallest = Some((least.size(), object));
+                if least.size() < smallest.0 {
+                    smallest = (least.size(), Some(object));
                 }
             }
         });
         let mut radiance = Worst(one, None);
         for light in [self.sky.horizon, self.sky.zenith, self.ambient] {
-            for register in [light.r, light.g, light.b] {
-                radiance.see(register.size(), None);
-            }
+            radiance.see(strongest(light), None);
         }
         for (i, lamp) in (0..).zip(self.lamps) {
-            let glint = S::power_size(lamp.power);
+            let glint = lamp.power.size();
             radiance.see(glint, Some(Object::Lamp(i)));
             if lamp.radius > S::ZERO {
                 radiance.see(glint.over(lamp.radius.size()).over(lamp.radius.size()), Some(Object::Lamp(i)));
@@ -281,17 +279,12 @@ impl<'a, S: Scalar> Scene<'a, S> {
             row(Quantity::Reflectance, reflectance, unit),
             weight,
             row(Quantity::Thinness, thinness, S::LARGEST_STRETCH),
-            match smallest {
-                Some((radius, object)) => {
-                    row(Quantity::Clearance, Worst(S::CLEARANCE.shift(2), Some(object)), radius)
-                }
-                None => row(Quantity::Clearance, Worst(S::CLEARANCE.shift(2), None), largest),
-            },
+            row(Quantity::Clearance, Worst(S::CLEARANCE.shift(2), smallest.1), smallest.0),
             row(Quantity::Radiance, radiance, S::Light::LARGEST),
         ];
         let (floor_end, cylinder_end) = (S::at_most(floor_end), S::at_most(cylinder_end));
         let limits = Limits { floor_end, cylinder_end, depth };
-        let exceeds = || bounds.iter().find(|row| !row.holds()).map(|row| RangeError::Exceeds(*row));
+        let exceeds = || bounds.iter().find(|row| !row.holds()).map(|row| Error::Exceeds(*row));
         let refused = self.check_signs().err().or_else(exceeds);
         Proof { bounds, limits, refused }
     }

@@ -2,11 +2,11 @@
 //! interrupts, a test collects all.
 
 pub mod lattice;
-pub mod sampling;
+mod places;
 
 use core::iter::FusedIterator;
 
-use sampling::{Center, Places};
+pub use places::{Center, Places};
 
 use crate::accelerator::{Accelerator, Lists};
 use crate::camera::Camera;
@@ -73,7 +73,7 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Acceler
 {
     /// Returns an iterator over all pixels of a raster, one sample each.
     pub fn new(tracer: &'a Tracer<'a, S, M, N, STACK, A>, camera: &'a Camera<S>, raster: Raster) -> Self {
-        Self::rows(tracer, camera, raster, 0, raster.height)
+        Self::sampled(tracer, camera, raster, Center, 0, raster.height)
     }
 
     /// Returns an iterator over the pixels of row `y`, 0 at the top, one sample each.
@@ -83,18 +83,7 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Acceler
         raster: Raster,
         y: u32,
     ) -> Self {
-        Self::rows(tracer, camera, raster, y, y.saturating_add(1))
-    }
-
-    /// Returns an iterator over the rows `first..end`, cut to the raster, one sample for each pixel.
-    pub fn rows(
-        tracer: &'a Tracer<'a, S, M, N, STACK, A>,
-        camera: &'a Camera<S>,
-        raster: Raster,
-        first: u32,
-        end: u32,
-    ) -> Self {
-        Self::sampled(tracer, camera, raster, Center, first, end)
+        Self::sampled(tracer, camera, raster, Center, y, y.saturating_add(1))
     }
 }
 

@@ -26,23 +26,18 @@ mod magnitude;
 pub mod vector;
 
 pub use exponent::Exponent;
-pub use fixed::{Power, Q16, Q20, Radiance};
+pub use fixed::{Q16, Q20, Radiance};
 pub use magnitude::Magnitude;
 use vector::{LengthVector, UnitVector};
 
+/// A number whose size can be bounded.
+pub trait Number: Copy + Debug + PartialEq + Send + Sync + 'static {
+    /// Returns a bound of the absolute value.
+    fn size(self) -> Magnitude;
+}
+
 /// A length: coordinates, radii, distances, in the scene's unit.
-pub trait Scalar:
-    Copy
-    + Debug
-    + PartialEq
-    + PartialOrd
-    + Add<Output = Self>
-    + Sub<Output = Self>
-    + Neg<Output = Self>
-    + Send
-    + Sync
-    + 'static
-{
+pub trait Scalar: Number + PartialOrd + Add<Output = Self> + Sub<Output = Self> + Neg<Output = Self> {
     /// A component of a unit vector, a cosine, a coefficient. It holds at least the range [-1.99, 1.99].
     type Unit: Unit;
     /// A sum of products of two lengths, unrounded.
@@ -50,7 +45,7 @@ pub trait Scalar:
     /// Radiance and irradiance.
     type Light: Light<Unit = Self::Unit>;
     /// The intensity of a lamp, 0 or from 1e-4 up to 1e9.
-    type Power: Copy + Debug + PartialEq + Send + Sync;
+    type Power: Number;
     /// The reciprocal of a length, to about 30 bits whatever its size.
     type Inverse: Copy + Debug + PartialEq + Send + Sync;
     /// Three lengths.
@@ -71,12 +66,8 @@ pub trait Scalar:
     /// The least distance by which a ray's origin is pushed off a surface, where that is a constant of the format.
     const CLEARANCE: Magnitude;
 
-    /// Returns a bound of the absolute value of a length.
-    fn size(self) -> Magnitude;
     /// Returns the largest length that does not exceed `size`.
     fn at_most(size: Magnitude) -> Self;
-    /// Returns a bound of an intensity.
-    fn power_size(power: Self::Power) -> Magnitude;
 
     /// Returns `self * factor`, rounded.
     fn scale(self, factor: Self::Unit) -> Self;
@@ -134,18 +125,7 @@ pub trait Scalar:
 }
 
 /// A number of about 1 or less: a cosine, a weight, a reflectance.
-pub trait Unit:
-    Copy
-    + Debug
-    + PartialEq
-    + PartialOrd
-    + Add<Output = Self>
-    + Sub<Output = Self>
-    + Neg<Output = Self>
-    + Send
-    + Sync
-    + 'static
-{
+pub trait Unit: Number + PartialOrd + Add<Output = Self> + Sub<Output = Self> + Neg<Output = Self> {
     /// The reciprocal of a number in ]0, 2[.
     type Inverse: Copy + Debug + PartialEq + Send + Sync;
 
@@ -157,8 +137,6 @@ pub trait Unit:
     const LARGEST: Magnitude;
     /// More than the rounding error of a sum of a few products of numbers up to 1: 2 EPSILON of a float, or 8 LSB.
     const ROUNDING: Self;
-    /// Returns a bound of the absolute value.
-    fn size(self) -> Magnitude;
     /// Returns `numerator / denominator`, rounded to the nearest, for `denominator > 0` and values between -2 and 2.
     fn ratio(numerator: i64, denominator: i64) -> Self;
     /// Returns what [`Unit::ratio`] does, for numbers that are known only at run time, without a 64-bit division.
@@ -169,8 +147,6 @@ pub trait Unit:
     fn over(self, divisor: Self::Inverse) -> Self;
     /// Returns `sqrt(a^2 + b^2 - minus^2)`, the difference exact in fixed point; `None` where it is negative.
     fn radical(a: Self, b: Self, minus: Self) -> Option<Self>;
-    /// Returns `sqrt(b^2 - a c)`, the difference exact in fixed point; `None` where it is negative.
-    fn discriminant(b: Self, a: Self, c: Self) -> Option<Self>;
     /// Returns `self / divisor`. In fixed point it saturates at 2, in floating point it may be infinite or NaN.
     fn quotient(self, divisor: Self) -> Self;
     /// Returns `self^(part / 2^32)`, for `self` in [0, 1] and a `part` above 0.
@@ -192,7 +168,7 @@ pub trait Unit:
 
 /// A radiance, 0 or more; 1 is the brightest level of a display. Fixed point saturates at 2^15 on purpose: light that bright
 /// stays white through five faint reflections.
-pub trait Light: Copy + Debug + PartialEq + PartialOrd + Send + Sync + 'static {
+pub trait Light: Number + PartialOrd {
     /// The type of the factors of a radiance.
     type Unit: Unit;
     /// No light.
@@ -201,8 +177,6 @@ pub trait Light: Copy + Debug + PartialEq + PartialOrd + Send + Sync + 'static {
     const WHITE: Self;
     /// The largest radiance.
     const LARGEST: Magnitude;
-    /// Returns a bound of the radiance.
-    fn size(self) -> Magnitude;
     /// Returns the sum of two radiances.
     fn plus(self, other: Self) -> Self;
     /// Returns the radiance times `factor`, 0 or more.

@@ -3,12 +3,8 @@
 //! The kinds of objects are enumerated here and nowhere else: searches and code generators go through [`Scene::each`], the range
 //! proof through [`Scene::looks`]. How a scene is searched is up to an [`Accelerator`](crate::accelerator::Accelerator).
 
-mod limits;
-
 use core::fmt;
 use core::ops::ControlFlow;
-
-pub use limits::Limits;
 
 use crate::color::Rgb;
 use crate::light::Lamp;
@@ -31,8 +27,7 @@ pub trait Visit<S: Scalar> {
     fn run<P: Primitive<S>>(&mut self, first: Object, run: &[P]) -> ControlFlow<()>;
 }
 
-/// Declares the kinds of objects, one line each: its list in [`Scene`], its type, its need, and its name in errors. Of equally
-/// near objects, the first in order of these lines is seen.
+/// Declares the kinds of objects, one line each: its list in [`Scene`], its type, its need, and its name in errors.
 macro_rules! lists {
     ($($(#[doc = $doc:literal])+ $list:ident: $Kind:ident if $NEED:ident, $name:literal;)+) => {
         /// Names what a ray meets: its kind, and its number in the list of that kind, from 0.
@@ -146,15 +141,9 @@ macro_rules! lists {
                 $((0..).zip(self.$list).for_each(|(i, object)| see(Object::$Kind(i), object.look()));)+
             }
 
-            /// Returns whether any of the lists has an object; floor and lamps do not count.
-            pub const fn has_objects(&self) -> bool {
-                $(!self.$list.is_empty())||+
-            }
-
-            /// Sets in `used` which kinds of objects the scene has.
-            pub(crate) fn note_shapes(&self, used: &mut Used) {
-                $(used.$list = !self.$list.is_empty();
-                self.$list.iter().for_each(|object| object.note_needs(used));)+
+            /// Returns which kinds of objects the scene has; nothing else is set.
+            pub fn kinds(&self) -> Used {
+                Used { $($list: !self.$list.is_empty(),)+ ..Used::default() }
             }
         }
     };
@@ -182,6 +171,18 @@ pub struct Hit<S> {
     pub distance: S,
     /// What was hit.
     pub object: Object,
+}
+
+/// How far the infinite objects of a scene are seen and lit, and how deep its rays may go, as [`Scene::admit`] finds it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Limits<S> {
+    /// Distance from a ray's origin beyond which a place of the floor is lit as if it were at this distance.
+    pub floor_end: S,
+    /// A place of a vertical cylinder above this height, or below its negative, is lit as if it were there.
+    pub cylinder_end: S,
+    /// The greatest depth of a ray at which its weight fits the number format. It is 255 where no surface sends back more light
+    /// than it receives.
+    pub depth: u8,
 }
 
 /// The sky: one colour at the horizon, one at the zenith and at the nadir, mixed by the square of the sine of the

@@ -25,7 +25,7 @@ pub use triangle::Triangle;
 
 use crate::color::Rgb;
 use crate::material::Material;
-use crate::needs::{Needs, Used};
+use crate::needs::Needs;
 use crate::ray::Ray;
 use crate::scalar::Scalar;
 use crate::scalar::vector::{UnitVec3, Vec3};
@@ -48,9 +48,6 @@ pub trait Primitive<S: Scalar> {
     fn face(&self) -> Option<UnitVec3<S>> {
         None
     }
-
-    /// Sets in `used` what the object needs to be compiled in besides its own kind.
-    fn note_needs(&self, _used: &mut Used) {}
 }
 
 /// A point on a surface.

@@ -32,35 +32,30 @@ pub struct Surface<'a, S: Scalar> {
 }
 
 impl<S: Scalar> Surface<'_, S> {
+    /// Returns the unit normal of the flat face, where [`Surface::normal`] is interpolated.
+    fn flat<N: Needs>(&self) -> Option<UnitVec3<S>> {
+        if N::NORMALS { self.face } else { None }
+    }
+
     /// Returns the unit normal of the surface itself, which is not interpolated.
     pub fn side<N: Needs>(&self) -> UnitVec3<S> {
-        match self.face {
-            Some(face) if N::NORMALS => face,
-            _ => self.normal,
-        }
+        self.flat::<N>().unwrap_or(self.normal)
     }
 
     /// Returns whether a lamp is behind the surface, or in its plane.
     pub fn is_behind<N: Needs>(&self, incident: &Incident<S>) -> bool {
         let zero = S::Unit::ZERO;
-        match self.face {
-            Some(face) if N::NORMALS => incident.cosine <= zero || face.dot(incident.direction) <= zero,
-            _ => incident.cosine <= zero,
-        }
+        incident.cosine <= zero || self.flat::<N>().is_some_and(|face| face.dot(incident.direction) <= zero)
     }
 
     /// Returns the unit direction of a secondary ray: `direction`, or, where it was made from an interpolated normal and leads
     /// to the wrong side of the face, its reflection on the face. `leaves` tells whether the ray is to leave on the side of the
     /// normal. Both agree where the direction lies in the face, so the picture has no seam.
     pub fn fold<N: Needs>(&self, direction: UnitVec3<S>, leaves: bool) -> UnitVec3<S> {
-        match self.face {
-            Some(face) if N::NORMALS => {
-                let cosine = face.dot(direction);
-                let is_right = if leaves { cosine >= S::Unit::ZERO } else { cosine <= S::Unit::ZERO };
-                if is_right { direction } else { direction.reflect(face) }
-            }
-            _ => direction,
-        }
+        let Some(face) = self.flat::<N>() else { return direction };
+        let cosine = face.dot(direction);
+        let is_right = if leaves { cosine >= S::Unit::ZERO } else { cosine <= S::Unit::ZERO };
+        if is_right { direction } else { direction.reflect(face) }
     }
 
     /// Returns the diffuse reflectance: the colour, times the diffuse coefficient of its finish where it has one.

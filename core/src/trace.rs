@@ -17,7 +17,6 @@ use decision::{Branch, Start, branch, casts_shadow_ray, direct, refract};
 pub use observer::Observer;
 
 use crate::accelerator::{Accelerator, Lists};
-use crate::camera::Camera;
 use crate::color::Rgb;
 use crate::error::Error;
 use crate::illumination::{Illumination, Weight};
@@ -91,11 +90,6 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Acceler
     /// Returns scene, model, depth and cut-off, for a loop outside the core that traces several rays side by side.
     pub const fn parts(&self) -> (&'a Admitted<'a, S, A>, &M, u8, S::Unit) {
         (self.scene, &self.model, self.depth, self.cutoff)
-    }
-
-    /// Returns the radiance that arrives at the camera's eye along the primary ray in `direction`, from the whole ray tree.
-    pub fn primary(&self, camera: &Camera<S>, direction: UnitVec3<S>) -> Rgb<S::Light> {
-        self.radiance(camera.eye, direction)
     }
 
     /// Returns the radiance that a ray from `origin` in the unit direction `direction` brings back, from the whole ray tree.

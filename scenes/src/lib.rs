@@ -40,6 +40,7 @@ mod reading;
 pub mod shipped;
 pub mod space;
 mod tokens;
+pub mod used;
 pub mod warning;
 
 pub use bake::bake;

@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use rta_core::range::RangeError;
+use rta_core::Error;
 use rta_core::scene::Object;
 
 use crate::description::Description;
@@ -46,14 +46,14 @@ impl Description {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct OutOfRange {
     /// The error.
-    pub error: RangeError,
+    pub error: Error,
     lines: [Option<u32>; 2],
 }
 
 impl OutOfRange {
     /// Adds to an error about a scene the lines where its objects begin.
     #[must_use]
-    pub fn new(error: RangeError, scene: &Description) -> Self {
+    pub fn new(error: Error, scene: &Description) -> Self {
         let line = |object: Option<Object>| object.and_then(|object| scene.line_of(object));
         Self { error, lines: error.objects().map(line) }
     }
@@ -63,7 +63,7 @@ impl fmt::Display for OutOfRange {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let known = || self.error.objects().into_iter().zip(self.lines);
         let line = |wanted| known().find(|(object, _)| *object == Some(wanted)).and_then(|(_, line)| line);
-        self.error.with_lines(line).fmt(f)
+        self.error.write(f, line)
     }
 }
 

@@ -7,7 +7,7 @@ use rta_core::needs::Used;
 use rta_core::scalar::Scalar;
 use rta_core::scene::Scene;
 
-use crate::description;
+use crate::{description, used};
 
 /// Makes the type and the dispatch from the list. `$d` is a dollar sign, for the macro that this one defines.
 macro_rules! models {
@@ -112,7 +112,7 @@ impl Model {
     #[must_use]
     pub fn used<S: Scalar>(self, scene: &Scene<S>) -> Used {
         let Traits { specular, attenuation } = self.traits();
-        let used = Used::by(scene, specular);
+        let used = used::by(scene, specular);
         Used { attenuation: used.lamps && attenuation, ..used }
     }
 

@@ -5,7 +5,7 @@
 
 use core::ops::ControlFlow;
 
-use rta_core::accelerator::WrongNode;
+use rta_core::Error;
 use rta_core::prelude::*;
 use rta_core::ray::Ray;
 use rta_core::scene::{Object, Visit};
@@ -30,11 +30,11 @@ impl<S: Scalar> Accelerator<S> for NearFirst<'_> {
         self.0.iter().try_for_each(|&object| scene.one::<N>(object, visit))
     }
 
-    fn check(&self, scene: &Scene<'_, S>) -> Result<(), WrongNode> {
+    fn check(&self, scene: &Scene<'_, S>) -> Result<(), Error> {
         // A real one also checks that none is named twice: see `accelerator::Bvh`.
         let mut objects = 0;
         scene.looks(|_, _| objects += 1);
-        if self.0.len() == objects { Ok(()) } else { Err(WrongNode(0)) }
+        if self.0.len() == objects { Ok(()) } else { Err(Error::Hierarchy(0)) }
     }
 }
 

@@ -45,9 +45,9 @@ pub(crate) fn main() {
     let radiance = |is_paper: bool| {
         let admitted = scene.admit(&eye).expect("a small scene fits");
         let light = if is_paper {
-            Tracer::<_, _, Everything, 1>::new(&admitted, Paper, 1).map(|t| t.primary(&eye, up))
+            Tracer::<_, _, Everything, 1>::new(&admitted, Paper, 1).map(|t| t.radiance(eye.eye, up))
         } else {
-            Tracer::<_, _, Everything, 1>::new(&admitted, Rta, 1).map(|t| t.primary(&eye, up))
+            Tracer::<_, _, Everything, 1>::new(&admitted, Rta, 1).map(|t| t.radiance(eye.eye, up))
         };
         light.expect("a stack as deep as the rays").g.0
     };

@@ -9,6 +9,7 @@ use rta_core::color::Rgb;
 use rta_core::illumination::{Illumination, Rta};
 use rta_core::needs::{Everything, Needs};
 use rta_core::raster::{Pixels, Raster};
+use rta_core::sampling::Center;
 use rta_core::trace::Tracer;
 use rta_core::vector::Vector;
 use rta_core::{Error, Q16};
@@ -83,7 +84,8 @@ impl Exact {
     ) -> Result<(), Error> {
         let admitted = self.scene.scene().admit_with(&self.scene.camera, accelerator)?;
         let tracer: Tracer<_, M, N, STACK, _> = Tracer::new(&admitted, model, depth)?;
-        let pixels = Pixels::rows(&tracer, &self.scene.camera, self.raster, first, self.raster.height());
+        let pixels =
+            Pixels::sampled(&tracer, &self.scene.camera, self.raster, Center, first, self.raster.height());
         for (pixel, light) in out.iter_mut().zip(pixels) {
             *pixel = light.map(|register| register.0.to_bits());
         }

@@ -9,7 +9,8 @@
 use core::hash::{Hash, Hasher};
 use core::ops::ControlFlow;
 
-use super::{Accelerator, WrongNode};
+use super::Accelerator;
+use crate::error::Error;
 use crate::needs::{Everything, Needs};
 use crate::ray::Ray;
 use crate::scalar::vector::{LengthVector, Vec3};
@@ -22,7 +23,7 @@ use crate::shape::{Primitive, Sphere};
 pub struct Node<S: Scalar> {
     /// Centre of the bounding sphere.
     pub center: Vec3<S>,
-    /// Its radius, more than 0 and at most [`Node::largest_radius`].
+    /// Its radius, more than 0 and at most half of the largest length.
     pub radius: S,
     /// Index of the first object of the run.
     pub first: u32,
@@ -33,11 +34,6 @@ pub struct Node<S: Scalar> {
 }
 
 impl<S: Scalar> Node<S> {
-    /// Returns the largest radius that a node may have: half of the largest length.
-    pub fn largest_radius() -> S {
-        S::FAR.scale(S::Unit::ratio(1, 2))
-    }
-
     /// Returns whether a ray may meet an object of the run nearer than `t_max`.
     fn is_met(&self, ray: &Ray<S>, t_max: S) -> bool {
         let displacement = self.center - ray.origin;
@@ -70,29 +66,42 @@ impl<S: Scalar> Accelerator<S> for Bvh<'_, S> {
         ray: &Ray<S>,
         visit: &mut impl Visit<S>,
     ) -> ControlFlow<()> {
-        if self.order.is_empty() {
-            return scene.each::<N>(&mut OverSpheres { nodes: self.nodes, ray, visit });
+        let over_spheres = self.order.is_empty();
+        scene.each::<N>(&mut Rest { over_spheres, visit })?;
+        let mut number = 0;
+        while let Some(node) = self.nodes.get(number) {
+            let (skip, run) = (index(node.skip), index(node.first)..index(node.end));
+            if !node.is_met(ray, visit.t_max()) {
+                number = skip;
+                continue;
+            }
+            number += 1;
+            if skip != number {
+                continue;
+            }
+            if !over_spheres {
+                let run = self.order.get(run).unwrap_or_default();
+                run.iter().try_for_each(|&object| scene.one::<N>(object, visit))?;
+            } else if N::SPHERES {
+                visit.run(Object::Sphere(node.first), scene.spheres.get(run).unwrap_or_default())?;
+            }
         }
-        scene.each::<N>(&mut OfEndless(visit))?;
-        walk(self.nodes, ray, visit, |first, end, visit| {
-            let run = self.order.get(first..end).unwrap_or_default();
-            run.iter().try_for_each(|&object| scene.one::<N>(object, visit))
-        })
+        ControlFlow::Continue(())
     }
 
     /// Whether nodes contain their objects is checked only where [`Bvh::order`] is empty. Otherwise it is up to the builder: an
     /// object outside its node may be missing from the picture.
-    fn check(&self, scene: &Scene<'_, S>) -> Result<(), WrongNode> {
+    fn check(&self, scene: &Scene<'_, S>) -> Result<(), Error> {
         let held = if self.order.is_empty() { scene.spheres.len() } else { self.order.len() };
-        let mut covered = 0;
+        let (largest, mut covered) = (S::FAR.scale(S::Unit::ratio(1, 2)), 0);
         for (number, node) in self.nodes.iter().enumerate() {
             let (first, end, skip) = (index(node.first), index(node.end), index(node.skip));
             let leads_on = skip > number && skip <= self.nodes.len();
-            let has_size = node.radius > S::ZERO && node.radius <= Node::largest_radius();
+            let has_size = node.radius > S::ZERO && node.radius <= largest;
             // Leaves follow each other through the run; what is above them begins where the next leaf does.
             let has_run = first == covered && first < end && end <= held;
             if !(leads_on && has_size && has_run && self.contains_spheres(node, scene)) {
-                return Err(WrongNode(number));
+                return Err(Error::Hierarchy(number));
             }
             if skip == number + 1 {
                 covered = end;
@@ -106,7 +115,7 @@ impl<S: Scalar> Accelerator<S> for Bvh<'_, S> {
             named == finite
         };
         let is_whole = covered == held && names_each_once;
-        if is_whole { Ok(()) } else { Err(WrongNode(self.nodes.len().saturating_sub(1))) }
+        if is_whole { Ok(()) } else { Err(Error::Hierarchy(self.nodes.len().saturating_sub(1))) }
     }
 
     fn places(&self, see: impl FnMut(Vec3<S>)) {
@@ -126,54 +135,16 @@ impl<S: Scalar> Bvh<'_, S> {
     }
 }
 
-/// Walks the nodes in which the ray may meet an object, and calls `leaf` with the run of each leaf.
-fn walk<S: Scalar, V: Visit<S>>(
-    nodes: &[Node<S>],
-    ray: &Ray<S>,
-    visit: &mut V,
-    mut leaf: impl FnMut(usize, usize, &mut V) -> ControlFlow<()>,
-) -> ControlFlow<()> {
-    let mut number = 0;
-    while let Some(node) = nodes.get(number) {
-        let skip = index(node.skip);
-        if node.is_met(ray, visit.t_max()) {
-            number += 1;
-            if skip == number {
-                leaf(index(node.first), index(node.end), visit)?;
-            }
-        } else {
-            number = skip;
-        }
-    }
-    ControlFlow::Continue(())
-}
-
-/// A visitor that passes on the spheres that the nodes leave over, and all other lists whole.
-struct OverSpheres<'a, S: Scalar, V> {
-    nodes: &'a [Node<S>],
-    ray: &'a Ray<S>,
+/// A visitor that passes on the lists whose objects are in no node: those of infinite objects, or all but the spheres.
+struct Rest<'a, V> {
+    over_spheres: bool,
     visit: &'a mut V,
 }
 
-impl<S: Scalar, V: Visit<S>> Visit<S> for OverSpheres<'_, S, V> {
+impl<S: Scalar, V: Visit<S>> Visit<S> for Rest<'_, V> {
     fn run<P: Primitive<S>>(&mut self, first: Object, run: &[P]) -> ControlFlow<()> {
-        if !matches!(first, Object::Sphere(_)) {
-            return self.visit.run(first, run);
-        }
-        walk(self.nodes, self.ray, self.visit, |from, end, visit| {
-            // A run is within the list of spheres, which is not longer than 2^32.
-            let by = u32::try_from(from).unwrap_or(u32::MAX);
-            visit.run(first.after(by), run.get(from..end).unwrap_or_default())
-        })
-    }
-}
-
-/// A visitor that passes on only the lists of infinite objects, which are in no node.
-struct OfEndless<'a, V>(&'a mut V);
-
-impl<S: Scalar, V: Visit<S>> Visit<S> for OfEndless<'_, V> {
-    fn run<P: Primitive<S>>(&mut self, first: Object, run: &[P]) -> ControlFlow<()> {
-        if P::IS_FINITE { ControlFlow::Continue(()) } else { self.0.run(first, run) }
+        let in_nodes = if self.over_spheres { matches!(first, Object::Sphere(_)) } else { P::IS_FINITE };
+        if in_nodes { ControlFlow::Continue(()) } else { self.visit.run(first, run) }
     }
 }
 

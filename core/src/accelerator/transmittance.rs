@@ -26,27 +26,37 @@ pub(super) fn through<S: Scalar, N: Needs, A: Accelerator<S>>(
     t_max: S,
 ) -> S::Unit {
     if A::IN_ORDER {
-        let mut visitor = Through::<S, N, _> { ray, t_max, filters: S::Unit::ONE, needs: PhantomData };
+        let mut part = S::Unit::ONE;
+        let filter = |_, kt| {
+            part = part.times(kt);
+            if part > S::Unit::ZERO { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+        };
+        let mut visitor = Through::<S, N, _> { ray, t_max, filter, needs: PhantomData };
         let is_hidden = accelerator.candidates::<N>(&world.scene, ray, &mut visitor).is_break();
-        return if is_hidden { S::Unit::ZERO } else { visitor.filters };
+        return if is_hidden { S::Unit::ZERO } else { part };
     }
-    let filters = Filters::<S, MANY>::new();
-    let mut visitor = Through::<S, N, _> { ray, t_max, filters, needs: PhantomData };
+    let mut filters = Filters::<S, MANY>::new();
+    let filter = |object, kt| {
+        filters.add(object, kt);
+        ControlFlow::Continue(())
+    };
+    let mut visitor = Through::<S, N, _> { ray, t_max, filter, needs: PhantomData };
     if accelerator.candidates::<N>(&world.scene, ray, &mut visitor).is_break() {
         return S::Unit::ZERO;
     }
-    visitor.filters.product().unwrap_or_else(|| through::<S, N, _>(&Lists, world, ray, t_max))
+    filters.product().unwrap_or_else(|| through::<S, N, _>(&Lists, world, ray, t_max))
 }
 
-/// Visits the objects in the way of a shadow ray, and stops where none of its light is left.
+/// Visits the objects in the way of a shadow ray, and stops where none of its light is left: at an opaque object, or where
+/// `filter` says so. It is called with each transparent object and the part that this lets through.
 struct Through<'r, S: Scalar, N, F> {
     ray: &'r Ray<S>,
     t_max: S,
-    filters: F,
+    filter: F,
     needs: PhantomData<N>,
 }
 
-impl<S: Scalar, N: Needs, F: Filter<S>> Visit<S> for Through<'_, S, N, F> {
+impl<S: Scalar, N: Needs, F: FnMut(Object, S::Unit) -> ControlFlow<()>> Visit<S> for Through<'_, S, N, F> {
     fn t_max(&self) -> S {
         self.t_max
     }
@@ -55,32 +65,11 @@ impl<S: Scalar, N: Needs, F: Filter<S>> Visit<S> for Through<'_, S, N, F> {
         for (i, primitive) in (0..).zip(run) {
             if primitive.intersect(self.ray, self.t_max).is_some() {
                 match transmitted::<S, N>(primitive.look().material) {
-                    Some(kt) => self.filters.filter(first.after(i), kt)?,
+                    Some(kt) => (self.filter)(first.after(i), kt)?,
                     None => return ControlFlow::Break(()),
                 }
             }
         }
-        ControlFlow::Continue(())
-    }
-}
-
-/// Collects the transparent objects in the way of a shadow ray.
-trait Filter<S: Scalar> {
-    /// Adds an object that lets the part `kt` through; returns `Break` where no light is left.
-    fn filter(&mut self, object: Object, kt: S::Unit) -> ControlFlow<()>;
-}
-
-/// Multiplies at once, for objects that come in order.
-impl<S: Scalar<Unit = U>, U: Unit> Filter<S> for U {
-    fn filter(&mut self, _object: Object, kt: U) -> ControlFlow<()> {
-        *self = self.times(kt);
-        if *self > U::ZERO { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
-    }
-}
-
-impl<S: Scalar, const MOST: usize> Filter<S> for Filters<S, MOST> {
-    fn filter(&mut self, object: Object, kt: S::Unit) -> ControlFlow<()> {
-        self.add(object, kt);
         ControlFlow::Continue(())
     }
 }

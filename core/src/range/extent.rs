@@ -3,8 +3,8 @@
 use super::{Cause, Worst};
 use crate::accelerator::Accelerator;
 use crate::camera::Camera;
-use crate::scalar::vector::{Vec3, Vector};
-use crate::scalar::{Magnitude, Scalar, Unit};
+use crate::scalar::vector::{Vec3, Vector, Xyz};
+use crate::scalar::{Magnitude, Number, Scalar, Unit};
 use crate::scene::{Object, Scene};
 
 /// The bounding box of a scene, scaled to a quarter so that no sum of two coordinates leaves the format.
@@ -12,10 +12,9 @@ pub(super) struct Extent<'a, 's, S: Scalar, A> {
     scene: &'a Scene<'s, S>,
     eye: Vec3<S>,
     accelerator: &'a A,
-    low: [S; 3],
-    high: [S; 3],
-    /// What is at each end of the box along x, y and z; `None` for the eye.
-    ends: [[Option<Object>; 2]; 3],
+    /// The ends of the box along each axis, and what is there; `None` for the eye.
+    low: Xyz<(S, Option<Object>)>,
+    high: Xyz<(S, Option<Object>)>,
 }
 
 /// Returns a quarter of a length.
@@ -29,20 +28,19 @@ fn half<S: Scalar>(length: S) -> S {
 }
 
 /// Returns the three coordinates of a place.
-fn axes<S: Scalar>(v: Vec3<S>) -> [S; 3] {
-    [v.x(), v.y(), v.z()]
+fn axes<S: Scalar>(v: Vec3<S>) -> Xyz<S> {
+    Xyz::new(v.x(), v.y(), v.z())
 }
 
 /// Returns a bound of a vector's length from bounds of its components.
-fn norm(sizes: [Magnitude; 3]) -> Magnitude {
-    sizes.iter().fold(Magnitude::ZERO, |sum, &size| sum.plus(size.times(size))).root()
+fn norm(Xyz { x, y, z }: Xyz<Magnitude>) -> Magnitude {
+    x.times(x).plus(y.times(y)).plus(z.times(z)).root()
 }
 
 impl<'a, 's, S: Scalar, A: Accelerator<S>> Extent<'a, 's, S, A> {
     pub(super) fn of(scene: &'a Scene<'s, S>, camera: &Camera<S>, accelerator: &'a A) -> Self {
-        let eye = axes::<S>(camera.eye).map(quarter);
-        let mut extent =
-            Self { scene, eye: camera.eye, accelerator, low: eye, high: eye, ends: [[None; 2]; 3] };
+        let eye = axes::<S>(camera.eye).map(|c| (quarter(c), None));
+        let mut extent = Self { scene, eye: camera.eye, accelerator, low: eye, high: eye };
         scene.solids(|object, place, radius, _| extent.hold(place, radius, Some(object)));
         // Distances from rays to the centres of nodes are computed too.
         accelerator.places(|center| extent.hold(center, S::ZERO, None));
@@ -50,37 +48,26 @@ impl<'a, 's, S: Scalar, A: Accelerator<S>> Extent<'a, 's, S, A> {
     }
 
     fn hold(&mut self, place: Vec3<S>, radius: S, object: Option<Object>) {
-        let radius = quarter(radius);
-        let sides = self.low.iter_mut().zip(&mut self.high).zip(&mut self.ends);
-        for (((low, high), [lowest, highest]), c) in sides.zip(axes::<S>(place).map(quarter)) {
-            if c - radius < *low {
-                (*low, *lowest) = (c - radius, object);
-            }
-            if c + radius > *high {
-                (*high, *highest) = (c + radius, object);
-            }
-        }
+        let (place, radius) = (axes::<S>(place).map(quarter), quarter(radius));
+        self.low = self.low.zip(place, |low, c| if c - radius < low.0 { (c - radius, object) } else { low });
+        self.high =
+            self.high.zip(place, |high, c| if c + radius > high.0 { (c + radius, object) } else { high });
     }
 
     /// Returns what is at the other end of the scene along its longest side from an object, or from the eye; nothing where that is
     /// at both ends.
     pub(super) fn opposite(&self, object: Option<Object>) -> Option<Cause> {
-        let mut longest = (S::ZERO, [None; 2]);
-        for ((low, high), ends) in self.low.iter().zip(self.high).zip(self.ends) {
-            if high - *low > longest.0 {
-                longest = (high - *low, ends);
-            }
-        }
-        let other = longest.1.into_iter().find(|end| *end != object)?;
+        let Xyz { x, y, z } = self.low.zip(self.high, |low, high| (high.0 - low.0, [low.1, high.1]));
+        let longer = |a: (S, _), b: (S, _)| if b.0 > a.0 { b } else { a };
+        let (_, ends) = longer(longer(x, y), z);
+        let other = ends.into_iter().find(|end| *end != object)?;
         Some(other.map_or(Cause::Eye, Cause::Object))
     }
 
     /// Returns the height at which cylinders end: the highest power of two, up to a quarter of the format, with which no
     /// distance exceeds `most`, but at least the height of the scene.
     pub(super) fn cylinder_end(&self, has_cylinders: bool, most: Magnitude) -> Magnitude {
-        let [_, _, low] = self.low;
-        let [_, _, high] = self.high;
-        let own = low.size().max(high.size()).shift(2);
+        let own = self.low.z.0.size().max(self.high.z.0.size()).shift(2);
         if !has_cylinders {
             return own;
         }
@@ -94,41 +81,35 @@ impl<'a, 's, S: Scalar, A: Accelerator<S>> Extent<'a, 's, S, A> {
         let has_cylinders = !self.scene.cylinders.is_empty();
         // Quarters are rounded: four LSBs of the format, twice.
         let (rounding, slack) = (S::at_most(S::CLEARANCE), S::CLEARANCE.shift(2));
-        let mut sides = [Magnitude::ZERO; 3];
-        for (side, (low, high)) in sides.iter_mut().zip(self.low.iter().zip(self.high)) {
-            *side = (high - *low).size().shift(2).plus(slack);
+        let (low, high) = (self.low.map(|end| end.0), self.high.map(|end| end.0));
+        let mut sides = high.zip(low, |high, low| (high - low).size().shift(2).plus(slack));
+        if has_cylinders {
+            sides.z = sides.z.max(cylinder_end.shift(1));
         }
-        let [x, y, z] = sides;
-        let diagonal = norm([x, y, if has_cylinders { z.max(cylinder_end.shift(1)) } else { z }]);
-
-        let mut center = self.low;
-        for (c, (low, high)) in center.iter_mut().zip(self.low.iter().zip(self.high)) {
-            *c = half(*low) + half(high);
-        }
+        let diagonal = norm(sides);
+        let center = low.zip(high, |low, high| half(low) + half(high));
         let mut coordinate = Worst::NONE;
         let mut radius = Worst::NONE;
         // The square of the distance from the centre and the radius of the one that is farthest away so far.
         let mut farthest: Option<(S::Wide, S)> = None;
         let mut see = |object: Option<Object>, place: Vec3<S>, extent: S| {
             let place = axes::<S>(place);
-            let [x, y, z] = place.map(Scalar::size);
+            let Xyz { x, y, z } = place.map(Number::size);
             coordinate.see(x.max(y).max(z).plus(extent.size()), object);
-            let mut away = place.map(quarter);
-            for (away, center) in away.iter_mut().zip(center) {
-                let difference = *away - center;
+            let away = place.zip(center, |c, center| {
+                let difference = quarter(c) - center;
                 let size = if difference < S::ZERO { -difference } else { difference };
-                *away = size + rounding;
-            }
-            let [x, y, z] = away.map(Scalar::square);
+                size + rounding
+            });
+            let Xyz { x, y, z } = away.map(Scalar::square);
             let (apart, is_cylinder) = (x + y + z, matches!(object, Some(Object::Cylinder(_))));
             // Most objects are neither as far away as another nor larger, and need no root.
             if !is_cylinder && farthest.is_some_and(|(most, largest)| apart <= most && extent <= largest) {
                 return;
             }
             let mut away = away.map(|away| away.size().shift(2));
-            if let ([_, _, z], true) = (&mut away, is_cylinder) {
-                let [_, _, middle] = center;
-                *z = cylinder_end.plus(middle.size().shift(2));
+            if is_cylinder {
+                away.z = cylinder_end.plus(center.z.size().shift(2));
                 coordinate.see(cylinder_end, object);
             }
             let reach = norm(away).plus(extent.size());

@@ -1,8 +1,7 @@
 //! Some of the pixels of a raster, evenly spread over it: the samples from which a display's colour table is made before the picture
 //! is drawn.
 
-use super::Raster;
-use super::sampling::{Center, Places};
+use super::{Center, Places, Raster};
 use crate::color::Rgb;
 use crate::scalar::{Light, Unit};
 

@@ -6,11 +6,13 @@
 
 mod length;
 
+use fixed::FixedI32;
+use fixed::types::extra::LeEqU32;
 use fixed::types::{I2F30, I12F20, I16F16};
 
 use super::integer::{self, Reciprocal, exp2_minus, minus_log2, shift_right, wide};
-use super::vector::{Plan, UnitVector, Xyz};
-use super::{Light, Magnitude, Scalar, Unit};
+use super::vector::{UnitVector, Xyz};
+use super::{Light, Magnitude, Number, Unit};
 
 /// Lengths in Q16.16: a scene may be 24576 units across, one LSB is 1.5e-5.
 pub type Q16 = I16F16;
@@ -22,9 +24,9 @@ pub type Q20 = I12F20;
 const UNIT_BITS: u32 = 30;
 /// Fractional bits of radiance.
 const LIGHT_BITS: u32 = 16;
+
 /// Returns the low word of a result that fits, as the range proof has shown.
 #[allow(clippy::cast_possible_truncation)] // checked in debug builds, proved before a release build draws
-#[cfg_attr(not(target_os = "none"), inline)]
 fn word(value: i64) -> i32 {
     debug_assert!(i32::try_from(value).is_ok(), "{value} exceeds its fixed-point format");
     value as i32
@@ -38,7 +40,6 @@ fn saturate(value: i64) -> i32 {
 }
 
 /// Returns a product with a unit, rounded to the format of the other factor.
-#[cfg_attr(not(target_os = "none"), inline)]
 fn round(product: i64) -> i32 {
     word(shift_right(product, UNIT_BITS))
 }
@@ -55,12 +56,16 @@ fn normalize(v: Xyz<i32>) -> Option<(Xyz<I2F30>, u32, Reciprocal)> {
     Some((v.map(|c| I2F30::from_bits(word(reciprocal.times(c)))), length, reciprocal))
 }
 
-/// Returns a vector shifted up as far as it fits, so that a short one is normalised to full precision, and by how many bits.
-#[cfg_attr(not(target_os = "none"), inline)]
-fn scale_up(v: Xyz<i32>) -> (Xyz<i32>, u32) {
-    let bits = v.x.unsigned_abs() | v.y.unsigned_abs() | v.z.unsigned_abs();
-    let shift = bits.leading_zeros().clamp(1, 31) - 1;
-    (v.map(|c| c << shift), shift)
+impl<F: LeEqU32 + Send + Sync + 'static> Number for FixedI32<F> {
+    fn size(self) -> Magnitude {
+        Magnitude::new(u64::from(self.to_bits().unsigned_abs()), -F::I32)
+    }
+}
+
+impl Number for Radiance {
+    fn size(self) -> Magnitude {
+        self.0.size()
+    }
 }
 
 impl Unit for I2F30 {
@@ -69,16 +74,11 @@ impl Unit for I2F30 {
     const ONE: Self = Self::ONE;
     const LARGEST: Magnitude = Magnitude::new(1 << 31, -30);
     const ROUNDING: Self = Self::from_bits(8);
-    #[cfg_attr(not(target_os = "none"), inline)]
-    fn size(self) -> Magnitude {
-        Magnitude::new(u64::from(self.to_bits().unsigned_abs()), -30)
-    }
-    #[allow(clippy::cast_possible_truncation)] // saturated
     #[inline(always)] // of constants it is one, and no division of 128 bits is in the program
     fn ratio(numerator: i64, denominator: i64) -> Self {
         let scaled =
             (i128::from(numerator.unsigned_abs()) << (UNIT_BITS + 1)) / i128::from(denominator.max(1));
-        let bits = ((scaled + 1) >> 1).min(i128::from(i32::MAX)) as i32;
+        let bits = i32::try_from((scaled + 1) >> 1).unwrap_or(i32::MAX);
         Self::from_bits(if numerator < 0 { -bits } else { bits })
     }
     #[cfg_attr(not(target_os = "none"), inline)]
@@ -113,10 +113,6 @@ impl Unit for I2F30 {
         let log = u64::from(minus_log2(self.to_bits().unsigned_abs())) * u64::from(part);
         Self::from_bits(exp2_minus((log >> 32) as u32).cast_signed())
     }
-    #[cfg_attr(not(target_os = "none"), inline)]
-    fn discriminant(b: Self, a: Self, c: Self) -> Option<Self> {
-        root(wide(b.to_bits(), b.to_bits()) - wide(a.to_bits(), c.to_bits()))
-    }
     fn quotient(self, divisor: Self) -> Self {
         let reciprocal = Reciprocal::of(divisor.to_bits().unsigned_abs());
         let size = saturate(reciprocal.times(self.to_bits().saturating_abs()));
@@ -145,10 +141,6 @@ impl Light for Radiance {
     const ZERO: Self = Self(I16F16::ZERO);
     const WHITE: Self = Self(I16F16::ONE);
     const LARGEST: Magnitude = Magnitude::new(1 << 31, -16);
-    #[cfg_attr(not(target_os = "none"), inline)]
-    fn size(self) -> Magnitude {
-        Magnitude::new(u64::from(self.0.to_bits().unsigned_abs()), -16)
-    }
     fn plus(self, other: Self) -> Self {
         Self(self.0.saturating_add(other.0))
     }
@@ -158,35 +150,14 @@ impl Light for Radiance {
         let product = shift_right(wide(self.0.to_bits(), factor.to_bits()), UNIT_BITS);
         Self(I16F16::from_bits(saturate(product.max(0))))
     }
-    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // clamped
     #[cfg_attr(not(target_os = "none"), inline)]
     fn level(self, max: u8) -> u8 {
         let scaled = shift_right(wide(self.0.to_bits(), i32::from(max)), LIGHT_BITS);
-        scaled.clamp(0, i64::from(max)) as u8
-    }
-}
-
-/// The intensity of a lamp: `mantissa * 2^exponent`, the mantissa's top bit set (or all of it 0).
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Power {
-    mantissa: u32,
-    exponent: i16,
-}
-
-impl Power {
-    /// Returns the intensity from its [`Power::parts`], for generated code.
-    pub const fn from_parts(mantissa: u32, exponent: i16) -> Self {
-        Self { mantissa, exponent }
-    }
-
-    /// Returns the mantissa and the exponent `e` of `mantissa * 2^e`.
-    pub const fn parts(self) -> (u32, i16) {
-        (self.mantissa, self.exponent)
+        u8::try_from(scaled.max(0)).map_or(max, |level| level.min(max))
     }
 }
 
 /// Returns `value * 2^exponent` as a radiance; saturates.
-#[allow(clippy::cast_possible_truncation)] // clamped
 #[cfg_attr(not(target_os = "none"), inline)]
 fn radiance(value: u64, exponent: i32) -> Radiance {
     let bits = match exponent {
@@ -195,7 +166,7 @@ fn radiance(value: u64, exponent: i32) -> Radiance {
         0.. => value << exponent,
         _ => value.checked_shr(exponent.unsigned_abs()).unwrap_or(0),
     };
-    Radiance(I16F16::from_bits(bits.min(i32::MAX as u64) as i32))
+    Radiance(I16F16::from_bits(i32::try_from(bits).unwrap_or(i32::MAX)))
 }
 
 impl UnitVector for Xyz<I2F30> {
@@ -219,13 +190,6 @@ impl UnitVector for Xyz<I2F30> {
         )
     }
     #[cfg_attr(not(target_os = "none"), inline)]
-    fn scale(self, factor: I2F30) -> Self {
-        self.map(|c| c.times(factor))
-    }
-    fn times(self, other: Self) -> Self {
-        self.zip(other, Unit::times)
-    }
-    #[cfg_attr(not(target_os = "none"), inline)]
     fn plus(self, other: Self, factor: I2F30) -> Self {
         self.zip(other, |a, b| {
             let (a, b) = (i64::from(a.to_bits()), wide(b.to_bits(), factor.to_bits()));
@@ -234,8 +198,11 @@ impl UnitVector for Xyz<I2F30> {
     }
     #[cfg_attr(not(target_os = "none"), inline)]
     fn normalize(self) -> Option<(Self, Reciprocal)> {
-        let (v, shift) = scale_up(self.map(I2F30::to_bits));
-        let (direction, _, reciprocal) = normalize(v)?;
+        // Shifted up as far as it fits, so that a short vector is normalised to full precision.
+        let v = self.map(I2F30::to_bits);
+        let bits = v.x.unsigned_abs() | v.y.unsigned_abs() | v.z.unsigned_abs();
+        let shift = bits.leading_zeros().clamp(1, 31) - 1;
+        let (direction, _, reciprocal) = normalize(v.map(|c| c << shift))?;
         Some((direction, reciprocal.unscale(shift)))
     }
     #[cfg_attr(not(target_os = "none"), inline)]
@@ -257,10 +224,5 @@ impl UnitVector for Xyz<I2F30> {
     fn half_chord(self, radius: I2F30) -> Option<I2F30> {
         let square = |c: I2F30| wide(c.to_bits(), c.to_bits());
         root(square(radius) - square(self.x) - square(self.y) - square(self.z))
-    }
-    #[cfg_attr(not(target_os = "none"), inline)]
-    fn plan<S: Scalar<Unit = I2F30>>(self) -> Option<Plan<S>> {
-        let flat = Self::new(self.x, self.y, I2F30::ZERO);
-        UnitVector::normalize(flat).map(|(plan, stretch)| Plan { x: plan.x, y: plan.y, stretch })
     }
 }

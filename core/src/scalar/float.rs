@@ -3,20 +3,22 @@
 #![allow(clippy::float_arithmetic)] // the one file of the core that has floats
 
 use super::vector::{LengthVector, Plan, UnitVector, Vector};
-use super::{Light, Magnitude, Scalar, Unit};
+use super::{Light, Magnitude, Number, Scalar, Unit};
 
 macro_rules! float {
     ($f:ty, $vec:ty, $sqrt:path, $pow:path, $int:ident, $far:expr, $size:path) => {
+        impl Number for $f {
+            fn size(self) -> Magnitude {
+                $size(self)
+            }
+        }
+
         impl Unit for $f {
             type Inverse = $f;
             const ZERO: Self = 0.0;
             const ONE: Self = 1.0;
             const LARGEST: Magnitude = $size($far);
             const ROUNDING: Self = 2.0 * <$f>::EPSILON;
-            #[cfg_attr(not(target_os = "none"), inline)]
-            fn size(self) -> Magnitude {
-                $size(self)
-            }
             #[inline(always)] // of constants it is one
             fn ratio(numerator: i64, denominator: i64) -> Self {
                 numerator as $f / denominator as $f
@@ -24,7 +26,6 @@ macro_rules! float {
             fn fraction(numerator: i32, denominator: u32) -> Self {
                 numerator as $f / denominator as $f
             }
-            #[cfg_attr(not(target_os = "none"), inline)]
             fn times(self, factor: Self) -> Self {
                 self * factor
             }
@@ -34,12 +35,6 @@ macro_rules! float {
             fn root(self, part: u32) -> Self {
                 $pow(self, part as $f / 4_294_967_296.0)
             }
-            #[cfg_attr(not(target_os = "none"), inline)]
-            fn discriminant(b: Self, a: Self, c: Self) -> Option<Self> {
-                let square = b * b - a * c;
-                if square >= 0.0 { Some($sqrt(square)) } else { None }
-            }
-            #[cfg_attr(not(target_os = "none"), inline)]
             fn quotient(self, divisor: Self) -> Self {
                 self / divisor
             }
@@ -55,14 +50,9 @@ macro_rules! float {
             const ZERO: Self = 0.0;
             const WHITE: Self = 1.0;
             const LARGEST: Magnitude = $size($far);
-            #[cfg_attr(not(target_os = "none"), inline)]
-            fn size(self) -> Magnitude {
-                $size(self)
-            }
             fn plus(self, other: Self) -> Self {
                 self + other
             }
-            #[cfg_attr(not(target_os = "none"), inline)]
             fn times(self, factor: Self) -> Self {
                 self * factor
             }
@@ -92,18 +82,10 @@ macro_rules! float {
             const LARGEST_STRETCH: Magnitude = $size(1.0 / <$f>::EPSILON);
             const CLEARANCE: Magnitude = Magnitude::ZERO;
 
-            #[cfg_attr(not(target_os = "none"), inline)]
-            fn size(self) -> Magnitude {
-                $size(self)
-            }
             fn at_most(size: Magnitude) -> Self {
                 let (mantissa, exponent) = size.parts();
                 // Cut to the digits of the smaller float, so that it is not rounded up.
                 <$f as Scalar>::power(mantissa & !0xff, i16::try_from(exponent).unwrap_or(i16::MAX)).min($far)
-            }
-            #[cfg_attr(not(target_os = "none"), inline)]
-            fn power_size(power: $f) -> Magnitude {
-                $size(power)
             }
             fn scale(self, factor: Self) -> Self {
                 self * factor
@@ -118,7 +100,6 @@ macro_rules! float {
             fn sqrt(square: Self) -> Self {
                 if square > 0.0 { $sqrt(square) } else { 0.0 }
             }
-            #[cfg_attr(not(target_os = "none"), inline)]
             fn inverse(self) -> Self {
                 1.0 / self
             }
@@ -136,11 +117,9 @@ macro_rules! float {
             /// A component of a foot point errs by at most `4 u (|b| + r)`, `u = EPSILON / 2`: the rounding of a product
             /// and a difference, and the error of the direction's length. Two foot points of three components
             /// err by `7 EPSILON` of it; a little more than twice that is added.
-            #[cfg_attr(not(target_os = "none"), inline)]
             fn padded(self, distance: Self) -> Self {
                 self + 16.0 * <$f>::EPSILON * (distance.abs() + self)
             }
-            #[cfg_attr(not(target_os = "none"), inline)]
             fn next_up(self) -> Self {
                 Self::from_bits(self.to_bits() + 1)
             }
@@ -160,7 +139,6 @@ macro_rules! float {
                 let floor = cut - $int::from(cut as $f > tile);
                 floor & 1 == 1
             }
-            #[cfg_attr(not(target_os = "none"), inline)]
             fn odd_far_tile(self, slope: Self, height: Self, fall: Self) -> bool {
                 (self + slope * (height / fall)).odd_tile()
             }
@@ -168,7 +146,6 @@ macro_rules! float {
                 let step: $f = if exponent < 0 { 0.5 } else { 2.0 };
                 (0..exponent.unsigned_abs()).fold(mantissa as $f, |power, _| power * step)
             }
-            #[cfg_attr(not(target_os = "none"), inline)]
             fn intensity(power: Self) -> Self {
                 power
             }
@@ -180,14 +157,12 @@ macro_rules! float {
 
         impl Vector for $vec {
             type Component = $f;
-            #[cfg_attr(not(target_os = "none"), inline)]
             fn new(x: $f, y: $f, z: $f) -> Self {
                 Self::new(x, y, z)
             }
             fn x(self) -> $f {
                 self.x
             }
-            #[cfg_attr(not(target_os = "none"), inline)]
             fn y(self) -> $f {
                 self.y
             }
@@ -198,21 +173,15 @@ macro_rules! float {
 
         impl LengthVector for $vec {
             type Scalar = $f;
-            #[cfg_attr(not(target_os = "none"), inline)]
             fn dot(self, direction: Self) -> $f {
                 self.dot(direction)
             }
             fn norm_squared(self) -> $f {
                 self.length_squared()
             }
-            #[cfg_attr(not(target_os = "none"), inline)]
             fn along(self, direction: Self, distance: $f) -> Self {
                 self + direction * distance
             }
-            fn reject(self, direction: Self, distance: $f) -> Self {
-                self - direction * distance
-            }
-            #[cfg_attr(not(target_os = "none"), inline)]
             fn local(self, direction: Self, distance: $f, radius: $f) -> Self {
                 (direction * distance - self) * radius
             }
@@ -225,12 +194,10 @@ macro_rules! float {
             /// times the error of the normal, about `4 u`, in each component, with `u = EPSILON / 2`. The offset is
             /// `8 EPSILON (|p| + r)`, three times their sum: the rest answers for the rounding of the foot point when
             /// the ray that leaves is tested against the surface it left.
-            #[cfg_attr(not(target_os = "none"), inline)]
             fn clearance(self, extent: $f) -> ($f, $f) {
                 let step = 8.0 * <$f>::EPSILON * (self.abs().max_element() + extent);
                 (step, 6.0 * step)
             }
-            #[cfg_attr(not(target_os = "none"), inline)]
             fn dot_plan(self, plan: Plan<$f>) -> $f {
                 self.x * plan.x + self.y * plan.y
             }
@@ -247,48 +214,30 @@ macro_rules! float {
             const X: Self = Self::X;
             const Y: Self = Self::Y;
             const Z: Self = Self::Z;
-            #[cfg_attr(not(target_os = "none"), inline)]
             fn dot(self, other: Self) -> $f {
                 self.dot(other)
             }
             fn cross(self, other: Self) -> Self {
                 self.cross(other)
             }
-            #[cfg_attr(not(target_os = "none"), inline)]
             fn scale(self, factor: $f) -> Self {
                 self * factor
             }
-            fn times(self, other: Self) -> Self {
-                self * other
-            }
-            #[cfg_attr(not(target_os = "none"), inline)]
             fn plus(self, other: Self, factor: $f) -> Self {
                 self + other * factor
             }
             fn normalize(self) -> Option<(Self, $f)> {
-                let inverse = 1.0 / $sqrt(self.length_squared());
-                if inverse < <$f>::INFINITY { Some((self * inverse, inverse)) } else { None }
+                LengthVector::normalize(self).map(|(direction, _, inverse)| (direction, inverse))
             }
-            #[cfg_attr(not(target_os = "none"), inline)]
             fn reflect(self, normal: Self) -> Self {
                 self - normal * (2.0 * self.dot(normal))
             }
             fn halfway(self, other: Self) -> Option<Self> {
                 UnitVector::normalize(self + other).map(|(halfway, _)| halfway)
             }
-            #[cfg_attr(not(target_os = "none"), inline)]
             fn half_chord(self, radius: $f) -> Option<$f> {
                 let square = radius * radius - self.length_squared();
                 if square < 0.0 { None } else { Some($sqrt(square)) }
-            }
-            #[cfg_attr(not(target_os = "none"), inline)]
-            fn plan<S: Scalar<Unit = $f>>(self) -> Option<Plan<S>> {
-                let stretch = 1.0 / $sqrt(self.x * self.x + self.y * self.y);
-                if stretch < <$f>::INFINITY {
-                    Some(Plan { x: self.x * stretch, y: self.y * stretch, stretch })
-                } else {
-                    None
-                }
             }
         }
     };
@@ -298,24 +247,25 @@ float!(f32, glam::Vec3, libm::sqrtf, libm::powf, i32, 1e18, size32);
 #[cfg(feature = "f64")]
 float!(f64, glam::DVec3, libm::sqrt, libm::pow, i64, 1e150, size64);
 
-/// The size of a number, from its bits (IEEE 754); of one that is not finite, larger than any other.
+/// Returns the size of an `f32`.
 const fn size32(value: f32) -> Magnitude {
-    let bits = value.to_bits();
-    let (exponent, fraction) = ((bits >> 23 & 0xff).cast_signed(), (bits & 0x7f_ffff) as u64);
-    match exponent {
-        0 => Magnitude::new(fraction, -149),
-        _ => Magnitude::new(fraction | 1 << 23, exponent - 150),
-    }
+    size(value.to_bits() as u64, 23, 0xff)
 }
 
-/// The size of a number, from its bits (IEEE 754); of one that is not finite, larger than any other.
+/// Returns the size of an `f64`.
 #[cfg(feature = "f64")]
 const fn size64(value: f64) -> Magnitude {
-    let bits = value.to_bits();
-    #[allow(clippy::cast_possible_truncation)] // 11 bits
-    let (exponent, fraction) = ((bits >> 52 & 0x7ff) as i32, bits & 0xf_ffff_ffff_ffff);
+    size(value.to_bits(), 52, 0x7ff)
+}
+
+/// Returns the size of a number from its bits (IEEE 754), of which `digits` are the fraction, and its largest exponent; of one
+/// that is not finite, larger than any other.
+#[allow(clippy::cast_possible_truncation)] // 11 bits
+const fn size(bits: u64, digits: u32, most: u64) -> Magnitude {
+    let (exponent, fraction) = (bits >> digits & most, bits & ((1 << digits) - 1));
+    let last_place = exponent as i32 - (most / 2) as i32 - digits.cast_signed();
     match exponent {
-        0 => Magnitude::new(fraction, -1074),
-        _ => Magnitude::new(fraction | 1 << 52, exponent - 1075),
+        0 => Magnitude::new(fraction, last_place + 1),
+        _ => Magnitude::new(fraction | 1 << digits, last_place),
     }
 }

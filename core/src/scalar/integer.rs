@@ -1,7 +1,6 @@
 //! Integer arithmetic under the fixed-point formats: reciprocal square root, square root, reciprocal, on words of 32
 //! and 64 bits, with 32 x 32 -> 64 multiplications and no division.
-
-mod exponential;
+#![allow(clippy::cast_possible_truncation)] // sizes are at the line
 
 pub use exponential::{exp2_minus, minus_log2};
 
@@ -12,25 +11,31 @@ pub struct Reciprocal {
     exponent: u8,
 }
 
-/// First guess of [`rsqrt`]: `2^14 / sqrt(i / 64)` for `i` in `16..=64`.
-const GUESS: [u16; 49] = {
-    let mut table = [0; 49];
-    let mut i = 0;
-    while i < table.len() {
-        #[allow(clippy::cast_possible_truncation, clippy::indexing_slicing)] // at most 2^15; i < len
-        {
-            table[i] = ((64u64 << 28) / (i as u64 + 16)).isqrt() as u16;
+/// Makes a table at compile time: `$value` for each index `$i`.
+macro_rules! table {
+    ($length:literal, $i:ident => $value:expr) => {{
+        let mut table = [0; $length];
+        let mut $i = 0;
+        while $i < $length {
+            #[allow(clippy::indexing_slicing, reason = "below the length")]
+            {
+                table[$i] = $value;
+            }
+            $i += 1;
         }
-        i += 1;
-    }
-    table
-};
+        table
+    }};
+}
+
+mod exponential;
+
+/// First guess of [`rsqrt`]: `2^14 / sqrt(i / 64)` for `i` in `16..=64`, at most 2^15.
+const GUESS: [u16; 49] = table!(49, i => ((64u64 << 28) / (i as u64 + 16)).isqrt() as u16);
 
 /// Returns `2^30 / sqrt(m / 2^32)`, for `m >= 2^30`: the reciprocal square root of a number in [1/4, 1[, within 2 units of
 /// the last place (2^-30).
 ///
 /// A table with linear interpolation gives 11 bits, two steps of Newton's iteration the rest.
-#[allow(clippy::cast_possible_truncation)] // sizes are at the line
 pub fn rsqrt(m: u32) -> u32 {
     let i = (m >> 26) as usize - 16 * usize::from(m >= 1 << 30);
     let at = |i: usize| u32::from(GUESS.get(i).copied().unwrap_or(1 << 14));
@@ -49,14 +54,12 @@ pub fn rsqrt(m: u32) -> u32 {
 }
 
 /// `value << shift` with an even shift such that the top two bits are not both 0, its upper word, and the shift.
-#[cfg_attr(not(target_os = "none"), inline)]
 fn normalize(value: u64) -> (u64, u32) {
     let shift = value.leading_zeros() & !1;
     (value << (shift & 63), shift)
 }
 
 /// Returns the square root, rounded to the nearest (an exact half cannot occur).
-#[allow(clippy::cast_possible_truncation)] // sizes are at the line
 #[cfg_attr(not(target_os = "none"), inline)]
 pub fn sqrt(value: u64) -> u32 {
     if value == 0 {
@@ -87,7 +90,6 @@ impl Reciprocal {
     }
 
     /// Returns `1 / value`; a `value` of 0 counts as 1.
-    #[allow(clippy::cast_possible_truncation)] // sizes are at the line
     #[cfg_attr(not(target_os = "none"), inline)]
     pub fn of(value: u32) -> Self {
         let value = value.max(1);
@@ -101,7 +103,6 @@ impl Reciprocal {
     }
 
     /// Returns `1 / sqrt(square)` and `sqrt(square)`, rounded; a `square` of 0 counts as 1.
-    #[allow(clippy::cast_possible_truncation)] // sizes are at the line
     #[cfg_attr(not(target_os = "none"), inline)]
     pub fn of_sqrt(square: u64) -> (Self, u32) {
         let (wide, shift) = normalize(square.max(1));
@@ -114,7 +115,6 @@ impl Reciprocal {
     }
 
     /// Returns the reciprocal of `value` if `self` is that of `value << shift`: `self` times `2^shift`.
-    #[allow(clippy::cast_possible_truncation)] // at most 32
     pub(crate) fn unscale(self, shift: u32) -> Self {
         Self { exponent: self.exponent.saturating_sub(shift as u8), ..self }
     }
@@ -132,13 +132,11 @@ impl Reciprocal {
 }
 
 /// Returns `value / 2^shift`, rounded to the nearest, halves up; `shift < 64`.
-#[cfg_attr(not(target_os = "none"), inline)]
 pub fn shift_right(value: i64, shift: u32) -> i64 {
     (value + ((1 << shift) >> 1)) >> shift
 }
 
 /// Returns what [`shift_right`] does with one 64-bit shift, which is slow on 32-bit processors, for a `shift` known at run time.
-#[cfg_attr(not(target_os = "none"), inline)]
 pub(crate) fn shift_right_by(value: i64, shift: u32) -> i64 {
     match shift {
         0 => value,
@@ -180,7 +178,7 @@ pub(crate) fn wide_unsigned(a: u32, b: u32) -> u64 {
 
 /// Returns the product of two words by four products of half words, none of which overflows.
 #[inline(always)]
-#[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // the halves
+#[allow(clippy::cast_sign_loss)] // the halves
 fn wide_by_halves(a: i32, b: i32) -> i64 {
     let (a_high, b_high) = (a >> 16, b >> 16);
     let (a_low, b_low) = (a as u32 & 0xffff, b as u32 & 0xffff);
@@ -192,7 +190,6 @@ fn wide_by_halves(a: i32, b: i32) -> i64 {
 }
 
 /// Returns whether `floor(value / 3)` is odd, without a division.
-#[allow(clippy::cast_possible_truncation)] // the digits
 pub fn odd_third(value: i64) -> bool {
     // 2^16, 2^8 and 2^64 are 1 modulo 3, so the sum of the digits leaves what the number does; a negative one has 2^64
     // too much in its bits.
@@ -221,7 +218,6 @@ mod tests {
     }
 
     #[test]
-    #[allow(clippy::cast_possible_truncation)] // both words of it
     fn products_by_halves() {
         let ends = [i32::MIN, i32::MIN + 1, -65_536, -65_535, -1, 0, 1, 32_768, 65_535, 65_536, i32::MAX];
         let all = ends.iter().flat_map(|&a| ends.map(|b| (a, b)));

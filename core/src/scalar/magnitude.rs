@@ -1,14 +1,16 @@
 //! Upper bounds of absolute values, for interval arithmetic without floats.
 
-use core::cmp::Ordering;
 use core::fmt;
+
+use super::Number;
 
 /// An upper bound of an absolute value: `mantissa * 2^exponent`, the mantissa's top bit set unless it is 0. Sums, products and
 /// quotients of bounds are bounds; each operation rounds up by less than 2^-31 of the result.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Magnitude {
-    mantissa: u32,
+    // First, so that it is compared first.
     exponent: i32,
+    mantissa: u32,
 }
 
 impl Magnitude {
@@ -77,22 +79,11 @@ impl Magnitude {
         let wide = u64::from(self.mantissa) << (30 + odd);
         Self::new(wide.isqrt() + u64::from(self.mantissa > 0), (self.exponent - 30 - odd) / 2)
     }
-
-    /// Returns the larger of two bounds.
-    pub fn max(self, other: Self) -> Self {
-        if other > self { other } else { self }
-    }
 }
 
-impl Ord for Magnitude {
-    fn cmp(&self, other: &Self) -> Ordering {
-        (self.exponent, self.mantissa).cmp(&(other.exponent, other.mantissa))
-    }
-}
-
-impl PartialOrd for Magnitude {
-    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        Some(self.cmp(other))
+impl Number for Magnitude {
+    fn size(self) -> Magnitude {
+        self
     }
 }
 

@@ -51,7 +51,9 @@ pub trait LengthVector: Vector {
     /// Returns the place `self + distance * direction`.
     fn along(self, direction: UnitVec3<Self::Scalar>, distance: Self::Scalar) -> Self;
     /// Returns `self - distance * direction`, each component rounded once: the part of a displacement normal to a ray.
-    fn reject(self, direction: UnitVec3<Self::Scalar>, distance: Self::Scalar) -> Self;
+    fn reject(self, direction: UnitVec3<Self::Scalar>, distance: Self::Scalar) -> Self {
+        self.along(direction, -distance)
+    }
     /// Returns `(distance * direction - self) / radius`, to the precision of a unit vector: a place on a ray relative to an
     /// object whose centre is `self` away from the ray's origin, in units of its radius. The place lies within the radius.
     fn local(
@@ -113,9 +115,13 @@ pub trait UnitVector: Vector<Component: Unit> {
     /// Returns the cross product.
     fn cross(self, other: Self) -> Self;
     /// Returns the vector with each component times `factor`.
-    fn scale(self, factor: Self::Component) -> Self;
+    fn scale(self, factor: Self::Component) -> Self {
+        self.times(Self::new(factor, factor, factor))
+    }
     /// Returns the products of the components of both vectors.
-    fn times(self, other: Self) -> Self;
+    fn times(self, other: Self) -> Self {
+        Self::new(self.x().times(other.x()), self.y().times(other.y()), self.z().times(other.z()))
+    }
     /// Returns `self + factor * other`, each component rounded once.
     fn plus(self, other: Self, factor: Self::Component) -> Self;
     /// Returns the unit vector along a vector of any length below 2, and the reciprocal of that length; `None` for 0.
@@ -134,7 +140,10 @@ pub trait UnitVector: Vector<Component: Unit> {
     /// `self` in a sphere about 0; `None` where the ray misses the sphere.
     fn half_chord(self, radius: Self::Component) -> Option<Self::Component>;
     /// Returns the direction as seen from above; `None` for a vertical one.
-    fn plan<S: Scalar<Unit = Self::Component>>(self) -> Option<Plan<S>>;
+    fn plan<S: Scalar<Unit = Self::Component>>(self) -> Option<Plan<S>> {
+        let (flat, stretch) = Self::new(self.x(), self.y(), Unit::ZERO).normalize()?;
+        Some(Plan { x: flat.x(), y: flat.y(), stretch })
+    }
 }
 
 /// A direction seen from above: the unit vector of its x and y, and the reciprocal of their length.

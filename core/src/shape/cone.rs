@@ -245,14 +245,8 @@ impl<S: Scalar> Primitive<S> for Cone<S> {
     }
 
     fn look(&self) -> Look<'_, S> {
-        let radius = self.span.scale(S::Unit::ratio(1, 2));
-        Look {
-            color: self.color,
-            material: &self.material,
-            extent: self.span,
-            center: self.center,
-            radius,
-            least: radius,
-        }
+        let Self { center, span, color, ref material, .. } = *self;
+        let radius = span.scale(S::Unit::ratio(1, 2));
+        Look { color, material, extent: span, center, radius, least: radius }
     }
 }

@@ -117,15 +117,9 @@ impl<S: Scalar> Primitive<S> for Ellipsoid<S> {
     }
 
     fn look(&self) -> Look<'_, S> {
-        let (x, y, z) = (self.radii.x(), self.radii.y(), self.radii.z());
-        let smaller = if x < y { x } else { y };
-        Look {
-            color: self.color,
-            material: &self.material,
-            extent: self.extent.squashed(self.thickness),
-            center: self.center,
-            radius: self.extent,
-            least: if smaller < z { smaller } else { z },
-        }
+        let Self { center, radii, extent: radius, thickness, color, ref material, .. } = *self;
+        let smaller = |a: S, b: S| if a < b { a } else { b };
+        let least = smaller(smaller(radii.x(), radii.y()), radii.z());
+        Look { color, material, extent: radius.squashed(thickness), center, radius, least }
     }
 }

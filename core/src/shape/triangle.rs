@@ -7,7 +7,7 @@
 use super::{Look, Primitive, SurfacePoint};
 use crate::color::Rgb;
 use crate::material::Material;
-use crate::needs::{Needs, Used};
+use crate::needs::Needs;
 use crate::ray::Ray;
 use crate::scalar::vector::{LengthVector, UnitVec3, UnitVector, Vec3, Vector};
 use crate::scalar::{Scalar, Unit};
@@ -157,9 +157,5 @@ impl<S: Scalar> Primitive<S> for Triangle<S> {
 
     fn face(&self) -> Option<UnitVec3<S>> {
         self.normals.map(|_| self.normal)
-    }
-
-    fn note_needs(&self, used: &mut Used) {
-        used.normals |= self.normals.is_some();
     }
 }

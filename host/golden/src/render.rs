@@ -3,6 +3,7 @@
 use std::fs;
 use std::path::Path;
 
+use rta_core::Error;
 use rta_core::accelerator::Accelerator;
 use rta_core::camera::Camera;
 use rta_core::needs::Everything;
@@ -72,7 +73,9 @@ impl Render {
             None => self.search(scene, narrowed.scene(), &narrowed.camera, rta_core::accelerator::Lists),
         };
         traced.map_err(|error| match error {
-            DrawError::Tracer(rta_core::Error::Range(error)) => OutOfRange::new(error, scene).into(),
+            DrawError::Tracer(error) if !matches!(error, Error::Depth { .. } | Error::Raster { .. }) => {
+                OutOfRange::new(error, scene).into()
+            }
             error => error,
         })
     }
@@ -84,7 +87,7 @@ impl Render {
         camera: &Camera<S>,
         accelerator: impl Accelerator<S>,
     ) -> Result<Picture, DrawError> {
-        let admitted = scene.admit_with(camera, accelerator).map_err(rta_core::Error::from)?;
+        let admitted = scene.admit_with(camera, accelerator)?;
         in_model!(self.model.unwrap_or(described.model.into()), model => {
             let tracer: Tracer<_, _, Everything, STACK, _> = Tracer::new(&admitted, model, self.depth)?;
             self.screen.trace(&tracer, camera)

@@ -4,7 +4,7 @@ mod shadow;
 
 use core::ops::ControlFlow;
 
-use rta_core::accelerator::{self, Accelerator, Closest, Lists, WrongNode, transmitted};
+use rta_core::accelerator::{self, Accelerator, Closest, Lists, transmitted};
 use rta_core::needs::Needs;
 use rta_core::ray::Ray;
 use rta_core::scalar::Unit;
@@ -42,7 +42,7 @@ impl<S: ToF32> Accelerator<S> for &Packets {
         scene.each::<N>(visit)
     }
 
-    fn check(&self, _scene: &Scene<'_, S>) -> Result<(), WrongNode> {
+    fn check(&self, _scene: &Scene<'_, S>) -> Result<(), rta_core::Error> {
         Ok(())
     }
 

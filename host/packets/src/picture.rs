@@ -11,7 +11,7 @@ use rta_core::needs::Everything;
 use rta_core::range::Admitted;
 use rta_core::raster::Raster;
 use rta_core::raster::lattice::Lattice;
-use rta_core::raster::sampling::{Center, Places, Sampling};
+use rta_core::sampling::{Center, Places, Sampling};
 use rta_core::scalar::Unit;
 use rta_core::scene::Limits;
 use rta_core::trace::{Observer, Tracer};
@@ -194,10 +194,10 @@ impl<S: Format> Ready<S> {
             return Err(Error::Depth { depth: setup.depth, capacity: MAX_DEPTH as usize }.into());
         }
         let narrowed = narrow::<S>(scene, setup.aspect)?;
-        let limits = narrowed.scene().admit(&narrowed.camera).map_err(Error::from)?.limits;
+        let limits = narrowed.scene().admit(&narrowed.camera)?.limits;
         let depth = u8::try_from(setup.depth).unwrap_or(u8::MAX);
         if depth > limits.depth {
-            narrowed.scene().weight(depth).check().map_err(Error::from)?;
+            narrowed.scene().check_depth(depth)?;
         }
         // Last, as it takes longest: a scene that is refused is refused at once.
         let packets = Packets::build::<S>(scene);

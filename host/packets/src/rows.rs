@@ -5,8 +5,8 @@ use rta_core::camera::Camera;
 use rta_core::color::Rgb;
 use rta_core::illumination::Illumination;
 use rta_core::needs::Needs;
-use rta_core::raster::sampling::Places;
 use rta_core::raster::{Pixels, Raster};
+use rta_core::sampling::Places;
 use rta_core::trace::Tracer;
 
 use crate::four::geometry::through_plane;

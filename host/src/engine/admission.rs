@@ -1,5 +1,6 @@
 //! Whether a number format admits a scene: the range proof in a format that is chosen when the program runs.
 
+use rta_core::accelerator::Lists;
 use rta_core::range::Bound;
 use rta_scenes::OutOfRange;
 use rta_scenes::description::Description;
@@ -41,7 +42,7 @@ fn prove<S: Narrow>(scene: &Description, aspect: f64) -> Verdict {
     match narrow::<S>(scene, aspect) {
         Err(error) => Verdict { rows: Vec::new(), refused: Some(error.into()) },
         Ok(narrowed) => {
-            let proof = narrowed.scene().prove(&narrowed.camera);
+            let proof = narrowed.scene().prove(&narrowed.camera, &Lists);
             Verdict {
                 rows: proof.bounds.to_vec(),
                 refused: proof.refused.map(|error| OutOfRange::new(error, scene).into()),

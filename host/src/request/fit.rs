@@ -3,6 +3,7 @@
 use std::borrow::Cow;
 use std::io::{self, Write};
 
+use rta_core::Error;
 use rta_scenes::OutOfRange;
 use rta_scenes::description::{self, Description};
 use rta_scenes::fit::{Fitted, FloorError, fit, missing};
@@ -74,10 +75,12 @@ impl Fit {
     pub fn engine_error(&self, scene: &SceneFile, source: EngineError) -> RequestError {
         match source {
             EngineError::Narrow(error) => self.refused(scene, error.into()),
-            EngineError::Core(rta_core::Error::Range(error)) => {
+            EngineError::Core(Error::Depth { .. } | Error::Raster { .. }) => {
+                RequestError::Engine { name: scene.source.clone(), source }
+            }
+            EngineError::Core(error) => {
                 self.refused(scene, OutOfRange::new(error, &scene.description).into())
             }
-            EngineError::Core(_) => RequestError::Engine { name: scene.source.clone(), source },
         }
     }
 

@@ -1,6 +1,6 @@
 //! Numbers as Rust expressions that are constant and exact to the bit.
 
-use rta_core::scalar::{Power, Scalar};
+use rta_core::scalar::{Magnitude, Scalar};
 use rta_core::{Q16, Q20};
 
 use crate::narrow::Narrow;
@@ -47,9 +47,9 @@ macro_rules! fixed_point {
             fn light_bits(light: Self::Light) -> String {
                 light.0.to_bits().to_string()
             }
-            fn power_literal(power: Power) -> String {
+            fn power_literal(power: Magnitude) -> String {
                 let (mantissa, exponent) = power.parts();
-                format!("::rta_core::scalar::Power::from_parts({mantissa}, {exponent})")
+                format!("::rta_core::scalar::Magnitude::new({mantissa}, {exponent})")
             }
             fn inverse_literal(inverse: <Self as Scalar>::Inverse) -> String {
                 let (mantissa, exponent) = inverse.parts();

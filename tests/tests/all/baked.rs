@@ -12,11 +12,11 @@ use rta_core::needs::{Needs, Used};
 use rta_core::range::Admitted;
 use rta_core::raster::{Pixels, Raster};
 use rta_core::trace::Tracer;
-use rta_core::used::missing;
 use rta_scenes::accelerator::bvh;
 use rta_scenes::bake;
 use rta_scenes::description::Description;
 use rta_scenes::narrow::{Narrow, narrow};
+use rta_scenes::used;
 
 /// Recursion depth.
 const DEPTH: u32 = 5;
@@ -108,9 +108,9 @@ fn is_scene<S: Narrow, N: Needs>(
     };
     assert_eq!(format!("{scene:?}"), printed);
     assert_eq!(format!("{camera:?}"), format!("{:?}", narrowed.camera));
-    assert_eq!(Used::of::<N>(), Used::by(&scene.scene, model != Model::Rta));
+    assert_eq!(Used::of::<N>(), used::by(&scene.scene, model != Model::Rta));
     if model == Model::Rta {
-        assert_eq!(missing::<N, S>(&scene.scene), None);
+        assert_eq!(used::missing::<N, S>(&scene.scene), None);
     }
 }
 
@@ -129,7 +129,7 @@ fn draw<S: Narrow, M: Illumination<S>, N: Needs>(
     let raster = Raster::new(SMALL.width, SMALL.height).expect("a raster");
     let tracer: Tracer<_, _, N, STACK, _> =
         Tracer::new(scene, model, SMALL.depth).expect("the stack is deep enough");
-    let light: Vec<_> = Pixels::rows(&tracer, camera, raster, 0, SMALL.height).collect();
+    let light: Vec<_> = Pixels::new(&tracer, camera, raster).collect();
     // Fixed point below 256 is exact in f32, and f64 is rounded as by the engine.
     #[allow(clippy::cast_possible_truncation, reason = "to the nearest")]
     let single = |light| S::light_to_f64(light) as f32;

@@ -3,6 +3,7 @@
 
 use rta::paired::log::{Kind, Operation, record};
 use rta::paired::{Format, Paired};
+use rta_core::accelerator::Lists;
 use rta_core::illumination::Rta;
 use rta_core::needs::Everything;
 use rta_core::range::{Bound, Quantity};
@@ -42,7 +43,7 @@ where
     Paired<S>: rta_scenes::narrow::Narrow + Scalar,
 {
     let narrowed = narrow::<Paired<S>>(scene, 4.0 / 3.0).ok()?;
-    let bounds: [Bound; 13] = narrowed.scene().prove(&narrowed.camera).bounds;
+    let bounds: [Bound; 13] = narrowed.scene().prove(&narrowed.camera, &Lists).bounds;
     let admitted = narrowed.scene().admit(&narrowed.camera).ok()?;
     let tracer: Tracer<_, _, Everything, 5> = Tracer::new(&admitted, Rta, 5).expect("depth 5 of 5");
     let bound =
@@ -54,7 +55,7 @@ where
             let center = |i: i64, n: i64| <Paired<S> as Scalar>::Unit::ratio(2 * i + 1 - n, 2 * n);
             let direction: UnitVec3<Paired<S>> =
                 narrowed.camera.direction(center(i, 320), center(199 - j, 200));
-            tracer.primary(&narrowed.camera, direction);
+            tracer.radiance(narrowed.camera.eye, direction);
         });
         assert!(!log.operations.is_empty(), "the scalar is instrumented");
         for operation in &log.operations {

@@ -4,9 +4,9 @@
 use rta_core::Q16;
 use rta_core::illumination::Rta;
 use rta_core::needs::{Everything, Needs};
-use rta_core::used::missing;
 use rta_scenes::description::{self, Description};
 use rta_scenes::narrow::narrow;
+use rta_scenes::used::missing;
 use rta_tests::exact::{DEPTH, Exact, shipped_scene};
 use rta_tests::random_scenes;
 

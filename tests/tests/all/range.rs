@@ -2,6 +2,7 @@
 
 use rta::engine::{Engine, Format};
 use rta_core::Q16;
+use rta_core::accelerator::Lists;
 use rta_core::range::Quantity;
 use rta_core::scene::Object;
 use rta_scenes::description::{Camera, Cylinder, Description, Sky, Sphere, Surface};
@@ -68,7 +69,7 @@ fn depths_are_those_of_the_largest_weight() {
 fn the_height_at_which_cylinders_end_is_a_row() {
     let row = |scene: &Description| {
         let narrowed = narrow::<Q16>(scene, 1.0).expect("it fits");
-        let proof = narrowed.scene().prove(&narrowed.camera);
+        let proof = narrowed.scene().prove(&narrowed.camera, &Lists);
         let row = proof.bounds.into_iter().find(|row| row.quantity == Quantity::CylinderEnd);
         row.map(|row| (row.bound.to_string(), row.object, row.holds())).expect("there is one")
     };

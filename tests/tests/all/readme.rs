@@ -3,7 +3,7 @@
 
 use clap::Parser;
 use rta::args::Cli;
-use rta_core::used::Used;
+use rta_core::needs::Used;
 
 const MAIN: &str = include_str!("../../../README.md");
 const CORE: &str = include_str!("../../../core/README.md");

@@ -2,16 +2,17 @@
 
 use fixed::types::{I2F30, I12F20, I16F16, I24F40, I32F32};
 
-use super::{LIGHT_BITS, Power, Radiance, UNIT_BITS, normalize, radiance, round, saturate, word};
-use crate::scalar::integer::{self, Reciprocal, shift_right, shift_right_by, wide};
+use super::{LIGHT_BITS, Radiance, UNIT_BITS, normalize, radiance, round, saturate, word};
+use crate::scalar::integer::{self, Reciprocal, shift_right, shift_right_by, wide, wide_unsigned};
 use crate::scalar::vector::{LengthVector, Plan, Xyz};
 use crate::scalar::{Magnitude, Scalar};
 
 /// How far a ray's origin is pushed off a surface at least, in LSBs of a length; see [`LengthVector::clearance`].
 ///
-/// The place `p = c + r n` is rounded by half an LSB in each component, sqrt(3)/2 LSB in all. Four LSBs leave more than 3
-/// between the place and a sphere. The foot point `l` of a ray that leaves is rounded by as much again, so that
-/// `|l|^2 - r^2` errs by at most `1.8 r` LSB, while it is `6 r` LSB for a tangent: both roots stay behind the ray.
+/// The place `p = c + r n` is rounded by half an LSB in each component, sqrt(3)/2 LSB in all, and `n` by less than that over
+/// `r` in the admitted range. Four LSBs leave more than 3 between the place and the surface. The foot point `l` of a ray that
+/// leaves is rounded by as much again, so that `|l|^2 - r^2` errs by at most `1.8 r` LSB, while it is `6 r` LSB for a tangent:
+/// both roots stay behind the ray.
 const LEAVE_LSB: i32 = 4;
 /// A large object adds its extent times 2^-26: the places that an ellipsoid is seen at, 30 bits of its extent, carry the
 /// roundings of a dozen products; times its largest radius over its smallest, which is what squashing takes of the bits.
@@ -23,9 +24,9 @@ macro_rules! fixed_point {
             type Unit = I2F30;
             type Wide = $wide;
             type Light = Radiance;
-            type Power = Power;
+            type Power = Magnitude;
             type Inverse = Reciprocal;
-            type Vector = Xyz<$f>;
+            type Vector = Xyz<Self>;
             type UnitVector = Xyz<I2F30>;
 
             const ZERO: Self = Self::ZERO;
@@ -36,10 +37,6 @@ macro_rules! fixed_point {
             const LARGEST_STRETCH: Magnitude = Magnitude::new(1 << 12, 0);
             const CLEARANCE: Magnitude = Magnitude::new(LEAVE_LSB.cast_unsigned() as u64, -$bits);
 
-            #[cfg_attr(not(target_os = "none"), inline)]
-            fn size(self) -> Magnitude {
-                Magnitude::new(u64::from(self.to_bits().unsigned_abs()), -$bits)
-            }
             fn at_most(size: Magnitude) -> Self {
                 let (mantissa, exponent) = size.parts();
                 let bits = match exponent + $bits {
@@ -47,10 +44,6 @@ macro_rules! fixed_point {
                     down => mantissa.checked_shr(down.unsigned_abs()).unwrap_or(0),
                 };
                 Self::from_bits(saturate(i64::from(bits)))
-            }
-            #[cfg_attr(not(target_os = "none"), inline)]
-            fn power_size(power: Power) -> Magnitude {
-                Magnitude::new(u64::from(power.mantissa), i32::from(power.exponent))
             }
             fn scale(self, factor: I2F30) -> Self {
                 Self::from_bits(round(wide(self.to_bits(), factor.to_bits())))
@@ -70,7 +63,7 @@ macro_rules! fixed_point {
                 }
                 I2F30::from_bits(saturate(Reciprocal::of(whole).times(part.cast_signed())))
             }
-            fn sqrt(square: $wide) -> Self {
+            fn sqrt(square: Self::Wide) -> Self {
                 let root = integer::sqrt(u64::try_from(square.to_bits()).unwrap_or(0));
                 Self::from_bits(word(i64::from(root)))
             }
@@ -91,19 +84,16 @@ macro_rules! fixed_point {
                     Reciprocal::of(slope.to_bits().unsigned_abs()).times(self.to_bits()),
                 ))
             }
-            #[cfg_attr(not(target_os = "none"), inline)]
             fn squashed(self, thickness: I2F30) -> Self {
                 Scalar::over(self, thickness)
             }
             /// A component of a foot point is rounded by half an LSB, and a direction is a unit long to within 2^-29,
             /// which leaves 2^-28 of the distance. Two foot points of three components err by less than 2 LSB and 2^-26
             /// of the distance together; twice that is added.
-            #[cfg_attr(not(target_os = "none"), inline)]
             fn padded(self, distance: Self) -> Self {
                 let slack = 4 + (distance.to_bits().unsigned_abs() >> 25).cast_signed();
                 Self::from_bits(self.to_bits() + slack)
             }
-            #[cfg_attr(not(target_os = "none"), inline)]
             fn next_up(self) -> Self {
                 self.saturating_add(Self::DELTA)
             }
@@ -115,7 +105,6 @@ macro_rules! fixed_point {
             fn odd_tile(self) -> bool {
                 integer::odd_third(i64::from(self.to_bits() >> $bits))
             }
-            #[cfg_attr(not(target_os = "none"), inline)]
             fn odd_far_tile(self, slope: I2F30, height: Self, fall: I2F30) -> bool {
                 let way = Reciprocal::of(fall.to_bits().unsigned_abs()).times(height.to_bits());
                 let slope = i64::from(slope.to_bits());
@@ -124,24 +113,19 @@ macro_rules! fixed_point {
                 let offset = shift_right((way >> cut) * slope, UNIT_BITS - cut);
                 integer::odd_third((i64::from(self.to_bits()) + offset) >> $bits)
             }
-            #[cfg_attr(not(target_os = "none"), inline)]
-            fn power(mantissa: u32, exponent: i16) -> Power {
-                if mantissa == 0 {
-                    return Power { mantissa, exponent: 0 };
-                }
-                #[allow(clippy::cast_possible_truncation)] // at most 32
-                let shift = mantissa.leading_zeros() as i16;
-                Power { mantissa: mantissa << shift, exponent: exponent.saturating_sub(shift) }
+            fn power(mantissa: u32, exponent: i16) -> Magnitude {
+                Magnitude::new(u64::from(mantissa), i32::from(exponent))
             }
             #[cfg_attr(not(target_os = "none"), inline)]
-            fn intensity(power: Power) -> Radiance {
-                radiance(u64::from(power.mantissa), i32::from(power.exponent) + LIGHT_BITS.cast_signed())
+            fn intensity(power: Magnitude) -> Radiance {
+                let (mantissa, exponent) = power.parts();
+                radiance(u64::from(mantissa), exponent + LIGHT_BITS.cast_signed())
             }
-            fn fall_off(power: Power, distance: Reciprocal) -> Radiance {
-                let (y, e) = distance.parts();
-                let square = integer::wide_unsigned(y, y) >> 30; // at most 2^32, of 2^(30 + 2e)
-                let exponent = i32::from(power.exponent) - 30 - 2 * i32::from(e) + 2 * $bits;
-                radiance(u64::from(power.mantissa) * square, exponent + LIGHT_BITS.cast_signed())
+            fn fall_off(power: Magnitude, distance: Reciprocal) -> Radiance {
+                let ((mantissa, exponent), (y, e)) = (power.parts(), distance.parts());
+                let square = wide_unsigned(y, y) >> 30; // at most 2^32, of 2^(30 + 2e)
+                let exponent = exponent - 30 - 2 * i32::from(e) + 2 * $bits;
+                radiance(u64::from(mantissa) * square, exponent + LIGHT_BITS.cast_signed())
             }
         }
 
@@ -164,10 +148,6 @@ macro_rules! fixed_point {
                 })
             }
             #[cfg_attr(not(target_os = "none"), inline)]
-            fn reject(self, direction: Xyz<I2F30>, distance: $f) -> Self {
-                self.along(direction, -distance)
-            }
-            #[cfg_attr(not(target_os = "none"), inline)]
             fn local(self, direction: Xyz<I2F30>, distance: $f, radius: Reciprocal) -> Xyz<I2F30> {
                 let (y, e) = radius.parts();
                 self.zip(direction, |f, d| {
@@ -182,10 +162,6 @@ macro_rules! fixed_point {
                 let (direction, length, reciprocal) = normalize(self.map(<$f>::to_bits))?;
                 Some((direction, <$f>::from_bits(word(i64::from(length))), reciprocal))
             }
-            /// The place `p = c + r n` is rounded by half an LSB in each component, sqrt(3)/2 LSB in all, and `n` by less
-            /// than that over `r` in the admitted range. Four LSBs leave more than 3 between the place and the surface.
-            /// The foot point of a ray that leaves, `l`, is rounded by as much again, so that `|l|^2 - r^2` errs by at
-            /// most `1.8 r` LSB, while it is `6 r` LSB for a tangent: the nearest and the farther root stay behind.
             #[cfg_attr(not(target_os = "none"), inline)]
             fn clearance(self, extent: $f) -> ($f, $f) {
                 let step = LEAVE_LSB + (extent.to_bits() >> LOCAL_BITS);

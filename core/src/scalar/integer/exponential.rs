@@ -12,65 +12,42 @@ const LN_2_30: i64 = (LN_2 >> 32) as i64;
 const PER_LN_2: i64 = ((1u128 << 92) / LN_2 as u128) as i64;
 
 /// The middles of the cells are `(33 + 2 i) / 64`. Their reciprocals times 2^30.
-const RECIPROCALS: [i64; 16] = {
-    let mut table = [0; 16];
-    let mut i = 0;
-    while i < 16 {
-        #[allow(clippy::indexing_slicing, reason = "i < 16")]
-        {
-            table[i] = (64 << 30) / (33 + 2 * i as i64);
-        }
-        i += 1;
-    }
-    table
-};
+const RECIPROCALS: [i64; 16] = table!(16, i => (64 << 30) / (33 + 2 * i as i64));
 
 /// The negative logarithms of the cells' middles, times 2^36.
-const LOGARITHMS: [i64; 16] = {
-    let mut table = [0; 16];
-    let mut i = 0;
-    while i < 16 {
-        // A bit at a time: squaring doubles the logarithm. The number is (33 + 2 i) / 32, between 1 and 2, times 2^62.
-        let mut y = (33 + 2 * i as u128) << 57;
-        let mut log = 0;
-        let mut bit = 0;
-        while bit < 36 {
-            y = (y * y) >> 62;
-            log *= 2;
-            if y >> 63 != 0 {
-                y /= 2;
-                log += 1;
-            }
-            bit += 1;
+const LOGARITHMS: [i64; 16] = table!(16, i => {
+    // A bit at a time: squaring doubles the logarithm. The number is (33 + 2 i) / 32, between 1 and 2, times 2^62.
+    let mut y = (33 + 2 * i as u128) << 57;
+    let mut log = 0;
+    let mut bit = 0;
+    while bit < 36 {
+        y = (y * y) >> 62;
+        log *= 2;
+        if y >> 63 != 0 {
+            y /= 2;
+            log += 1;
         }
-        #[allow(clippy::indexing_slicing, reason = "i < 16")]
-        {
-            table[i] = (1 << 36) - log;
-        }
-        i += 1;
+        bit += 1;
     }
-    table
-};
+    (1 << 36) - log
+});
+
+/// Returns `2^62` times the square root of `x / 2^62`.
+const fn root(x: u128) -> u128 {
+    (x << 62).isqrt()
+}
 
 /// `2^30 2^(-i/16)`.
 const POWERS: [i64; 16] = {
     // 2^(-1/16) is the fourth square root of 1/2. Each is rounded down by 2^-62 at most.
-    let mut root = 1u128 << 61;
-    let mut k = 0;
-    while k < 4 {
-        root = (root << 62).isqrt();
-        k += 1;
-    }
-    let mut table = [0; 16];
-    let (mut power, mut i) = (1u128 << 62, 0);
-    while i < 16 {
-        #[allow(clippy::indexing_slicing, clippy::cast_possible_truncation, reason = "i < 16, at most 2^30")]
-        {
-            table[i] = ((power + (1 << 31)) >> 32) as i64;
-        }
+    let root = root(root(root(root(1 << 61))));
+    let mut power = 1u128 << 62;
+    #[allow(clippy::cast_possible_truncation, reason = "at most 2^30")]
+    let table = table!(16, i => {
+        let rounded = ((power + (1 << 31)) >> 32) as i64;
         power = (power * root) >> 62;
-        i += 1;
-    }
+        rounded
+    });
     table
 };
 

@@ -1,9 +1,9 @@
 //! The vectors of scalars that have no vectors of their own: three components side by side.
 
-use core::fmt::Debug;
 use core::ops::{Add, Neg, Sub};
 
 use super::Vector;
+use crate::scalar::Number;
 
 /// The vector of scalars that are not floats.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -54,10 +54,7 @@ impl<T: Neg<Output = T>> Neg for Xyz<T> {
     }
 }
 
-impl<T> Vector for Xyz<T>
-where
-    T: Copy + Debug + PartialEq + Add<Output = T> + Sub<Output = T> + Neg<Output = T> + Send + Sync + 'static,
-{
+impl<T: Number + Add<Output = T> + Sub<Output = T> + Neg<Output = T>> Vector for Xyz<T> {
     type Component = T;
     fn new(x: T, y: T, z: T) -> Self {
         Self { x, y, z }

@@ -1,10 +1,22 @@
 //! The arithmetic of both twins, each by its own rules.
 
-use rta_core::scalar::{Light, Magnitude, Scalar, Unit};
+use rta_core::scalar::{Light, Magnitude, Number, Scalar, Unit};
 use rta_packets::ToF32;
 use rta_scenes::narrow::Narrow;
 
 use super::{Bare, Format, Paired, PairedVector, UnitFormat, Value, log};
+
+impl<T: Number + Value> Number for Paired<T> {
+    fn size(self) -> Magnitude {
+        self.format.size()
+    }
+}
+
+impl<T: Number> Number for Bare<T> {
+    fn size(self) -> Magnitude {
+        self.format.size()
+    }
+}
 
 impl<S: Format> Scalar for Paired<S> {
     type Unit = Paired<S::Unit>;
@@ -23,15 +35,9 @@ impl<S: Format> Scalar for Paired<S> {
     const LARGEST_STRETCH: Magnitude = S::LARGEST_STRETCH;
     const CLEARANCE: Magnitude = S::CLEARANCE;
 
-    fn size(self) -> Magnitude {
-        Scalar::size(self.format)
-    }
     fn at_most(size: Magnitude) -> Self {
         let format = S::at_most(size);
         Self { format, twin: format.value() }
-    }
-    fn power_size(power: Self::Power) -> Magnitude {
-        S::power_size(power.format)
     }
     #[track_caller]
     fn scale(self, factor: Self::Unit) -> Self {
@@ -128,9 +134,6 @@ impl<U: UnitFormat> Unit for Paired<U> {
     const ONE: Self = Self { format: U::ONE, twin: 1.0 };
     const LARGEST: Magnitude = U::LARGEST;
     const ROUNDING: Self = Self { format: U::ROUNDING, twin: <f64 as Unit>::ROUNDING };
-    fn size(self) -> Magnitude {
-        Unit::size(self.format)
-    }
     #[track_caller]
     fn fraction(numerator: i32, denominator: u32) -> Self {
         Self::ratio(i64::from(numerator), i64::from(denominator))
@@ -163,14 +166,6 @@ impl<U: UnitFormat> Unit for Paired<U> {
             .noted("quotient", [self.error(), divisor.error()])
     }
     #[track_caller]
-    fn discriminant(b: Self, a: Self, c: Self) -> Option<Self> {
-        let (format, twin) =
-            (U::discriminant(b.format, a.format, c.format), f64::discriminant(b.twin, a.twin, c.twin));
-        log::decision("discriminant", b.values(), a.values(), format.is_some(), twin.is_some());
-        let root = Self { format: format?, twin: twin.unwrap_or(0.0) };
-        Some(root.noted("discriminant", [b.error(), a.error(), c.error()]))
-    }
-    #[track_caller]
     fn radical(a: Self, b: Self, minus: Self) -> Option<Self> {
         let (format, twin) =
             (U::radical(a.format, b.format, minus.format), f64::radical(a.twin, b.twin, minus.twin));
@@ -185,9 +180,6 @@ impl<L: Light<Unit: UnitFormat> + Value> Light for Paired<L> {
     const ZERO: Self = Self { format: L::ZERO, twin: 0.0 };
     const WHITE: Self = Self { format: L::WHITE, twin: 1.0 };
     const LARGEST: Magnitude = L::LARGEST;
-    fn size(self) -> Magnitude {
-        Light::size(self.format)
-    }
     #[track_caller]
     fn plus(self, other: Self) -> Self {
         Self { format: self.format.plus(other.format), twin: self.twin + other.twin }

@@ -13,7 +13,7 @@ use rta_core::illumination::Illumination;
 use rta_core::needs::Everything;
 use rta_core::range::Admitted;
 use rta_core::raster::Raster;
-use rta_core::raster::sampling::{Center, Places};
+use rta_core::sampling::{Center, Places};
 use rta_core::trace::Tracer;
 use rta_packets::{Packets, ShadowCache, ToF32};
 use rta_scenes::description::Description;
@@ -112,9 +112,9 @@ fn watched<S: Readable + ToF32, M: Illumination<S> + Sync>(
 ) -> Result<Vec<Pixel>, EngineError> {
     let raster = Raster::new(settings.width, settings.height)?;
     let narrowed = narrow::<S>(scene, settings.aspect)?;
-    let limits = narrowed.scene().admit(&narrowed.camera).map_err(rta_core::Error::from)?.limits;
+    let limits = narrowed.scene().admit(&narrowed.camera)?.limits;
     let depth = u8::try_from(settings.depth).unwrap_or(u8::MAX);
-    narrowed.scene().weight(depth).check().map_err(rta_core::Error::from)?;
+    narrowed.scene().check_depth(depth)?;
     let packets = Packets::build::<S>(scene);
     let admitted = Admitted::baked(narrowed.scene(), limits, &packets);
     let tracer =

@@ -69,8 +69,7 @@ fn block<S: Narrow>(
     let given = rounded::<S>(scene);
     let (tested, exact) = (narrow::<S>(&given, 1.0)?, narrow::<f64>(&given, 1.0)?);
     let (mut rays, mut unused) = (Tally::default(), Tally::default());
-    let admitted = (tested.scene().admit(&tested.camera), exact.scene().admit(&exact.camera));
-    let admitted = (admitted.0.map_err(rta_core::Error::from)?, admitted.1.map_err(rta_core::Error::from)?);
+    let admitted = (tested.scene().admit(&tested.camera)?, exact.scene().admit(&exact.camera)?);
     let tested = Side::new(&tested, &admitted.0, case.depth)?;
     let exact = Side::new(&exact, &admitted.1, case.depth)?;
     for i in 0..count {

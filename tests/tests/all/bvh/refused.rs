@@ -1,7 +1,7 @@
 //! A hierarchy that is wrong is an error on admission, which names its node.
 
+use rta_core::Error;
 use rta_core::Q16;
-use rta_core::range::RangeError;
 use rta_core::scene::Object;
 use rta_scenes::accelerator::bvh::Built;
 use rta_scenes::narrow::narrow;
@@ -22,7 +22,7 @@ macro_rules! refused {
         let mut bad = $good.clone();
         let edit: &dyn Fn(&mut Built<Q16>) = &$edit;
         edit(&mut bad);
-        matches!(admit(&bad), Some(RangeError::Hierarchy(_)))
+        matches!(admit(&bad), Some(Error::Hierarchy(_)))
     }};
 }
 
