@@ -11,7 +11,7 @@
 //! # */
 //! fn the_ball_is_drawn_as_ever() -> Result<(), Mismatch> {
 //!     let picture = Render::default().file("tests/ball.dat")?;
-//!     picture.has_hash(0x1050_f09a_f81d_3b9a)?;
+//!     picture.has_hash(0x1f55_58be_ac22_b270)?;
 //!     picture.is_golden("tests/golden/ball.png")
 //! }
 //! # the_ball_is_drawn_as_ever().unwrap();
