@@ -220,6 +220,10 @@ impl<S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Accelerator
 impl<S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Accelerator<S>, P: Places>
     ExactSizeIterator for Pixels<'_, S, M, N, STACK, A, P>
 {
+    // The default checks that both ends of the hint are equal, and firmware would have the message.
+    fn len(&self) -> usize {
+        self.size_hint().0
+    }
 }
 
 impl<S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Accelerator<S>, P: Places> FusedIterator

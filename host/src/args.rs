@@ -48,7 +48,7 @@ pub enum Command {
     /// Show a scene in a window, on the screen of a device
     ///
     /// The picture grows finer as it is traced. Keys: D next device, M next illumination model, F next number format,
-    /// T next colour table, + and - (or up and down) depth, R read the scene file again (a change on disk does so by
+    /// T next colour table, X next dithering, + and - (or up and down) depth, R read the scene file again (a change on disk does so by
     /// itself), S save as a PNG in the current folder once the picture is complete, P palette, I the pixel under the
     /// mouse, F11 full screen, H or F1 these keys, Esc or Q leave.
     ///

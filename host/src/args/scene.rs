@@ -8,7 +8,8 @@ use rta_scenes::Reading;
 
 use super::choice;
 use crate::engine::{Format, Model};
-use crate::picture::raster::Aspect;
+use crate::picture::device::Device;
+use crate::picture::raster::{Aspect, Size};
 
 /// How a scene file is read.
 #[derive(Args, Clone, Copy, Debug, Default)]
@@ -66,6 +67,12 @@ pub struct BakeArgs {
     /// Scale the scene by a power of two if it does not fit the number format (not one with a floor)
     #[arg(long)]
     pub fit: bool,
+    /// Store the colour table of the whole picture on a device too, for a firmware that makes none itself
+    #[arg(long, value_enum, ignore_case = true, value_name = "DEVICE")]
+    pub palette: Option<Device>,
+    /// Pixels of the picture whose colour table is stored [default: the device's]
+    #[arg(long, value_name = "WxH", requires = "palette")]
+    pub size: Option<Size>,
     /// Rust file; - is standard output
     #[arg(short, long, value_name = "FILE")]
     pub output: PathBuf,

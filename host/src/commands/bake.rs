@@ -1,11 +1,19 @@
 //! `rta bake`: a scene file into Rust source, for a firmware's flash.
 
+use core::fmt::Write;
+use core::sync::atomic::AtomicBool;
+
+use rta_core::color::Rgb;
 use rta_scenes::bake::{self, BakeError, Recipe};
 
-use crate::args::BakeArgs;
-use crate::engine::interrupt;
+use crate::args::{BakeArgs, TracingArgs};
+use crate::commands::render::Work;
+use crate::engine::{Model, interrupt};
 use crate::error::Error;
+use crate::picture::coloring::{Coloring, DitherKind, TableKind};
+use crate::picture::device::{Device, Target};
 use crate::picture::output;
+use crate::request::Request;
 use crate::request::fit::Fit;
 use crate::request::scene_file::SceneFile;
 
@@ -26,7 +34,42 @@ pub fn run(args: &BakeArgs) -> Result<(), Error> {
         Err(BakeError::Range(error)) => return Err(fit.refused(&scene, error.into()).into()),
         Err(error) => return Err(error.into()),
     };
-    // From here on a signal waits for the file, which is soon complete.
-    interrupt::watch();
+    // From here on a signal waits for the file, which is soon complete; while a palette is made, it ends that.
+    let stop = interrupt::watch();
+    let source = match args.palette {
+        Some(device) => source + &palette(args, device, model, &scene, stop)?,
+        None => source,
+    };
     Ok(output::write_text(&args.output, &source, &scene.inputs)?)
+}
+
+/// Returns the source of the colour table that `rta render --table baked` makes for the scene on a device.
+fn palette(
+    args: &BakeArgs,
+    device: Device,
+    model: Model,
+    scene: &SceneFile,
+    stop: &AtomicBool,
+) -> Result<String, Error> {
+    let coloring = Coloring { table: TableKind::Baked, dither: DitherKind::None, samples: 0 };
+    let aspect = Some(args.aspect);
+    let BakeArgs { format, size, fit, .. } = *args;
+    let asked = TracingArgs { format, size, aspect, fit, model: Some(model), ..TracingArgs::default() };
+    let request = Request { coloring, ..asked.request(Target::On(device)) };
+    let levels = Work::new(&request, scene, None, stop)?.quiet(true).palette(device)?;
+    let gun_max = device.capabilities().gun_max;
+    let mut source = format!(
+        "\n/// The colour table of the whole picture on the device {device}: see [`rta_drivers::quantize::Palette`].\n\
+         pub static PALETTE: ::rta_drivers::quantize::Palette = {{\n    \
+         use ::rta_core::color::Rgb;\n    \
+         match ::rta_drivers::quantize::Palette::new(&[\n"
+    );
+    for Rgb { r, g, b } in levels {
+        // A String takes all that is written to it.
+        let _ = writeln!(source, "        Rgb::new({r}, {g}, {b}),");
+    }
+    source += &format!(
+        "    ], {gun_max}) {{\n        Ok(palette) => palette,\n        Err(_) => panic!(),\n    }}\n}};\n"
+    );
+    Ok(source)
 }

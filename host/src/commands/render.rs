@@ -8,7 +8,9 @@ use rayon::ThreadPool;
 use rta_core::color::Rgb;
 use rta_core::raster::lattice::Lattice;
 use rta_drivers::checksum::{Checksum, Unseen};
+use rta_drivers::display::{expand, reduce};
 use rta_drivers::painter::Painter;
+use rta_drivers::quantize::ColorTable;
 
 use crate::args::RenderArgs;
 use crate::engine::Engine;
@@ -197,6 +199,18 @@ impl<'a> Work<'a> {
                 .map_err(|error| Error::from(PictureError::display(error)))
         })?;
         Ok(painter.display().value())
+    }
+
+    /// Returns the entries of the colour table that is made for the picture on a device before it is drawn, as levels of its guns.
+    ///
+    /// # Errors
+    /// Those of [`Work::checksum`].
+    pub fn palette(&self, device: Device) -> Result<Vec<Rgb<u8>>, Error> {
+        let (table, _) = parts(device, self.request.coloring, self.size, |lattice| self.on_grid(lattice))?;
+        let gun_max = device.capabilities().gun_max;
+        let most = table.light_max(gun_max);
+        let level = |level| reduce(expand(level, most), gun_max);
+        Ok(table.entries().iter().map(|entry| entry.map(level)).collect())
     }
 
     /// Traces the pixels of a grid, of which a colour table is made.

@@ -28,6 +28,31 @@ fn a_scene_is_baked_into_a_file_or_a_pipe() {
 }
 
 #[test]
+fn a_palette_is_baked_as_the_table_of_the_picture() {
+    let folder = Folder::new();
+    let options = ["--format", "q16", "--size", "64x48"];
+    folder.prints(&[&["bake", "scene.dat", "-o", "scene.rs", "--palette", "vga"], &options[..]].concat());
+    folder.renders(
+        &[&["scene.dat", "-o", "out.png", "--table", "baked", "--aspect", "4:3"], &options[..]].concat(),
+    );
+    let reader = decoder(&folder.path("out.png"));
+    let table = reader.info().palette.as_deref().unwrap();
+    let source = fs::read_to_string(folder.path("scene.rs")).unwrap();
+    let (_, source) = source.split_once("pub static PALETTE").unwrap();
+    let levels = source.lines().filter_map(|line| line.trim().strip_prefix("Rgb::new(")?.strip_suffix("),"));
+    let bytes = levels.flat_map(|entry| entry.split(", ").map(|level| level.parse::<u32>().unwrap()));
+    // 6 bits a gun, expanded to 8.
+    let bytes: Vec<_> = bytes.map(|level| ((2 * 255 * level + 63) / 126).to_le_bytes()[0]).collect();
+    assert!(bytes.len() > 3 * 100, "{}", bytes.len());
+    assert_eq!(bytes, table);
+    folder.refuses(&["bake", "scene.dat", "-o", "a.rs", "--size", "64x48"], &["--palette"]);
+    folder.refuses(
+        &["bake", "scene.dat", "-o", "a.rs", "--palette", "vga", "--size", "321x2"],
+        &["321x2", "vga"],
+    );
+}
+
+#[test]
 fn what_cannot_be_baked_leaves_nothing_behind() {
     let folder = Folder::new();
     let bake = ["bake", "far.dat", "-o", "far.rs"];

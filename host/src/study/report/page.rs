@@ -166,7 +166,7 @@ each sample before the samples are averaged: a display shows no more, and one gl
 | sampling | f64 with depth 32 and these samples | f64 with depth 32 and 1024 regular samples | every {TRUTH_STEP}nd pixel of every {TRUTH_STEP}nd row |
 | tracing | the format with this depth and cut-off | f64 with depth 32 and no cut-off, the same samples | all pixels |
 | total | the format with all settings | f64 with depth 32 and 1024 regular samples | every {TRUTH_STEP}nd pixel of every {TRUTH_STEP}nd row |
-| display | what a device shows, with its tolerant colour table | the picture before | all pixels, in levels of the device's guns |
+| display | what a device shows, with its own colour table and dithering | the picture before | all pixels, in levels of the device's guns |
 
 RMSE is over all registers of all pixels; PSNR is for a peak of 1; `within` is the share of pixels that are within one
 level of 1/255 (of the device's own for the display) in every register. The pictures of all depths and cut-offs come from
