@@ -227,7 +227,13 @@ macro_rules! float {
                 self + other * factor
             }
             fn normalize(self) -> Option<(Self, $f)> {
-                LengthVector::normalize(self).map(|(direction, _, inverse)| (direction, inverse))
+                let inverse = 1.0 / $sqrt(self.length_squared());
+                if inverse < <$f>::INFINITY { Some((self * inverse, inverse)) } else { None }
+            }
+            // By itself, without the third square of the default.
+            fn plan<S: Scalar<Unit = $f>>(self) -> Option<Plan<S>> {
+                let stretch = 1.0 / $sqrt(self.x * self.x + self.y * self.y);
+                (stretch < <$f>::INFINITY).then(|| Plan { x: self.x * stretch, y: self.y * stretch, stretch })
             }
             fn reflect(self, normal: Self) -> Self {
                 self - normal * (2.0 * self.dot(normal))
