@@ -21,9 +21,9 @@ use super::raster::Size;
 pub enum TableKind {
     /// Made for the picture before it is drawn, from samples of it.
     Sampled,
-    /// The same from all of its pixels, as `rta bake --palette` stores it.
+    /// Made from all pixels of the picture, as `rta bake --palette` stores it.
     Baked,
-    /// The best for all of its pixels, which only a desktop has the memory for: k-means.
+    /// Made from all pixels and moved to where it is best for them, by k-means: for machines with the memory.
     Frame,
     /// The thesis's way with a small tolerance: what is nearly an entry shares it, so that a smooth sky leaves room
     /// for what is below it.

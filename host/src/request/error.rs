@@ -68,8 +68,8 @@ pub enum RequestError {
         /// The limit that it exceeds.
         reason: RasterError,
     },
-    /// A colour table was asked for, but no device.
-    #[error("--table is the colour table of a device, and --device none has none")]
+    /// A colour table or dithering was asked for, but no device.
+    #[error("--table and --dither are about the colour table of a device, and --device none has none")]
     TableWithoutDevice,
     /// The picture does not fit its device.
     #[error(transparent)]
