@@ -28,7 +28,7 @@ use core::fmt;
 use rta_core::color::Rgb;
 
 pub use adaptive::Adaptive;
-pub use cut::{MAX_SAMPLES, to_guns, variance_cut};
+pub use cut::{BOXES_SIZE, MAX_SAMPLES, to_guns, variance_cut};
 pub use palette::Palette;
 pub use uniform::Uniform;
 

@@ -16,7 +16,10 @@ pub use explain::{Choice, ExplainArgs};
 pub use pages::{CompletionsArgs, ManArgs};
 pub use picture::{HashArgs, RenderArgs, ShowArgs};
 pub use scene::{BakeArgs, CheckArgs, ReadingArgs};
-pub use study::{BenchArgs, InstructionsArgs, Peer, ReportArgs, StabilityArgs, TracedArgs};
+pub use study::{
+    BenchArgs, DifferenceArgs, IndexingArgs, InstructionsArgs, PaletteArgs, Peer, ReportArgs, StabilityArgs,
+    TracedArgs,
+};
 pub use tracing::TracingArgs;
 
 const EXAMPLES: &str = "\
@@ -103,6 +106,18 @@ pub enum Command {
     /// CPU time counts. Rays are counted apart, by kind, and so are retired instructions (where valgrind is installed).
     /// Of random spheres the table is followed by how the time of a ray grows with their number.
     Bench(BenchArgs),
+    /// Show a scene by every colour table with every dithering
+    ///
+    /// Of each device one table: how visible the difference from the picture without a device is, FLIP (0 to 1) at the device's own
+    /// pixels a degree of the visual field and at the 67 of a screen of today, S-CIELAB at the device's, PSNR; and what turning a
+    /// pixel's light into an index costs, as retired instructions (where valgrind is installed) and as bytes of RAM. The default
+    /// has a star.
+    Palette(PaletteArgs),
+    /// Tell how visible the difference of two pictures is
+    ///
+    /// FLIP (0 to 1) and S-CIELAB at a distance, which is a number of pixels in one degree of the visual field, and PSNR. Codes are
+    /// read as sRGB.
+    Difference(DifferenceArgs),
     /// Print a script that completes commands and options in a shell
     ///
     /// For bash: rta completions bash >~/.local/share/bash-completion/completions/rta
@@ -115,6 +130,9 @@ pub enum Command {
     /// What `rta report` runs under valgrind.
     #[command(hide = true)]
     Instructions(InstructionsArgs),
+    /// What `rta palette` runs under valgrind.
+    #[command(hide = true)]
+    Indexing(IndexingArgs),
 }
 
 #[cfg(test)]

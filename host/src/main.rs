@@ -9,7 +9,7 @@ use rta::commands::show::window;
 use rta::commands::{bake, check, explain, hash, pages, render};
 use rta::engine::interrupt;
 use rta::error::Error;
-use rta::study::{bench, report, stability};
+use rta::study::{bench, difference, palette, report, stability};
 
 /// Exit status after any error.
 const FAILED: u8 = 2;
@@ -53,6 +53,9 @@ fn run(command: Option<Command>) -> Result<(), Error> {
         Some(Command::Bake(args)) => bake::run(&args)?,
         Some(Command::Hash(args)) => hash::run(&args)?,
         Some(Command::Explain(args)) => explain::run(&args)?,
+        Some(Command::Palette(args)) => palette::run(&args)?,
+        Some(Command::Indexing(args)) => palette::instructions::run(&args)?,
+        Some(Command::Difference(args)) => difference::run(&args)?,
         Some(Command::Completions(args)) => pages::completions(&args)?,
         Some(Command::Man(args)) => pages::man(&args)?,
     }

@@ -1,8 +1,12 @@
-//! Studies of the tracer itself: what its pictures cost, what its number formats do to them, and how different two pictures look.
+//! Studies of the tracer itself: what its pictures cost, what its number formats and the colours of devices do to them, and how different
+//! two pictures look.
 
 pub mod bench;
+pub mod difference;
 pub mod error;
+pub mod markdown;
 pub mod measure;
 pub mod paired;
+pub mod palette;
 pub mod report;
 pub mod stability;

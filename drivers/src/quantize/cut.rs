@@ -12,6 +12,12 @@ use crate::dither;
 /// no sum and no product here leaves 64 bits.
 pub const MAX_SAMPLES: usize = 1 << 20;
 
+/// The boxes of [`variance_cut`], at most one for each entry.
+type Parts = heapless::Vec<Part, { MAX_COLORS as usize }>;
+
+/// The stack that [`variance_cut`] needs for its boxes, in bytes: 2 KiB.
+pub const BOXES_SIZE: usize = size_of::<Parts>();
+
 /// Makes a palette of at most `colors` entries, black among them, for a display whose guns have the levels 0..=`gun_max`.
 ///
 /// `light` is samples of the picture, 8 bits a gun, row by row on a grid `width` samples wide: those of a
@@ -75,7 +81,7 @@ fn means(samples: &mut [Rgb<u8>], count: usize) -> &[Rgb<u8>] {
     let shift = (samples.len() >> 14).checked_ilog2().map_or(0, |power| power + 1);
     let spread = |colors: &[Rgb<u8>]| u32::try_from(spread(colors) >> shift).unwrap_or(u32::MAX);
     // In the order of their samples, so that a part ends where the next one starts.
-    let mut parts = heapless::Vec::<Part, { MAX_COLORS as usize }>::new();
+    let mut parts = Parts::new();
     let _ = parts.push(Part { start: 0, spread: spread(samples) });
     while parts.len() < count {
         // Of equal ones the first; `max_by_key` takes the last.

@@ -1,12 +1,16 @@
-//! Arguments of the studies: `rta bench`, `rta report` and `rta stability`, and of their children under valgrind.
+//! Arguments of the studies: `rta bench`, `rta report`, `rta stability`, `rta palette` and `rta difference`, and of their children
+//! under valgrind.
 
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 
 use super::choice;
+use super::tracing::TracingArgs;
 use crate::engine::{Format, MAX_DEPTH};
+use crate::picture::device::Device;
 use crate::picture::raster::{Aspect, Size};
+use crate::study::measure::PixelsPerDegree;
 
 /// `rta bench`.
 #[derive(Args, Clone, Debug)]
@@ -109,4 +113,50 @@ pub struct StabilityArgs {
     /// Markdown file that gets the table too, in the place that is marked in it for that
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
+}
+
+/// `rta palette`: all tables and ditherings, so none is chosen.
+#[derive(Args, Debug)]
+#[command(mut_arg("table", |table| table.hide(true)), mut_arg("dither", |dither| dither.hide(true)))]
+pub struct PaletteArgs {
+    /// Scene file (.dat, .nff or .p3f), or - for standard input
+    pub scene: PathBuf,
+    /// The display to emulate [default: one after the other]
+    #[arg(short, long, value_enum, ignore_case = true)]
+    pub device: Option<Device>,
+    /// Picture file that gets all the pictures side by side, reduced, each row after the one without a device
+    #[arg(long, value_name = "FILE")]
+    pub sheet: Option<PathBuf>,
+    /// Do not count instructions
+    #[arg(long)]
+    pub no_instructions: bool,
+    /// How the picture is traced.
+    #[command(flatten)]
+    pub tracing: TracingArgs,
+}
+
+/// `rta indexing`: linear light comes from standard input, as the pixels of a PFM from the top.
+#[derive(Args, Debug)]
+pub struct IndexingArgs {
+    /// The display.
+    #[arg(long, value_enum)]
+    pub device: Device,
+    /// Pixels of the picture.
+    #[arg(long)]
+    pub size: Size,
+    /// The most samples of which a colour table is made.
+    #[arg(long)]
+    pub table_samples: u32,
+}
+
+/// `rta difference`.
+#[derive(Args, Debug)]
+pub struct DifferenceArgs {
+    /// PNG file of the picture as it should be
+    pub reference: PathBuf,
+    /// PNG file of the picture that is compared with it
+    pub test: PathBuf,
+    /// Pixels in one degree of the visual field: 13, 38 and 35 before the screens of vga, graphigs and pixrect
+    #[arg(short, long, value_name = "N", default_value_t = PixelsPerDegree::DEFAULT)]
+    pub pixels_per_degree: PixelsPerDegree,
 }

@@ -138,16 +138,9 @@ impl<'a> Work<'a> {
                 write_ppm_header(self.size, out)?;
                 self.direct(|pixels| out.write_all(&bytes(pixels)))
             }
-            (FileType::Png, Target::On(_)) => Ok(self.displayed()?.write_png(caption, out)?),
-            (FileType::Ppm, Target::On(_)) => Ok(self.displayed()?.write_ppm(out)?),
-            #[cfg(feature = "image")]
-            (FileType::Bmp, _) => Ok(self.displayed()?.write_bmp(out)?),
-            #[cfg(feature = "image")]
-            (FileType::Tga, _) => Ok(self.displayed()?.write_tga(out)?),
-            #[cfg(feature = "image")]
-            (FileType::Qoi, _) => Ok(self.displayed()?.write_qoi(out)?),
             #[cfg(feature = "image")]
             (FileType::Hdr, _) => Ok(write_hdr(self.size, &self.linear()?, out)?),
+            (file_type, _) => Ok(self.displayed()?.write(file_type, caption, out)?),
         }
     }
 

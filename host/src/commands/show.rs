@@ -1,7 +1,6 @@
 //! `rta show` without its window: the picture that fills in, and what each key does to it.
 
 pub mod desktop;
-pub mod frame;
 pub mod keys;
 pub mod note;
 pub mod overlay;
@@ -9,7 +8,6 @@ pub mod palette;
 pub mod pointer;
 pub mod reload;
 pub mod shown;
-pub mod text;
 pub mod tracing;
 pub mod window;
 
@@ -25,10 +23,10 @@ use crate::error::Error;
 use crate::picture::coloring::Coloring;
 use crate::picture::device::Target;
 use crate::picture::error::PictureError;
+use crate::picture::frame::Place;
 use crate::picture::output;
 use crate::request::Request;
 use crate::request::scene_file::SceneFile;
-use frame::Place;
 use note::Note;
 use pointer::Pointer;
 use reload::Watch;

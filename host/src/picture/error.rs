@@ -22,6 +22,17 @@ pub enum PictureError {
     /// The name of the output does not tell what kind of file to write.
     #[error("{}: no known picture format; use a name in {}, or --as", .0.display(), FileType::extensions())]
     UnknownExtension(PathBuf),
+    /// A picture file cannot be read.
+    #[error("cannot read the picture {}: {}", .path.display(), reason(source))]
+    Read {
+        /// The file.
+        path: PathBuf,
+        /// What the system says, or what is wrong with the file.
+        source: io::Error,
+    },
+    /// A file of linear light was asked for something that has none.
+    #[error("{0} holds linear light before any display; this is what displays show")]
+    NotLinear(FileType),
     /// Linear light was asked of a display.
     #[error("{file_type} holds linear light before any display: it needs --device none, not {device}")]
     LinearFromDevice {
@@ -39,7 +50,7 @@ pub enum PictureError {
         source: io::Error,
     },
     /// The output is a file that its content is made from.
-    #[error("cannot write {}: the output is the scene itself", name(.0))]
+    #[error("cannot write {}: the output is the input itself", name(.0))]
     IsInput(PathBuf),
     /// A picture was to be written to a terminal.
     #[error("standard output is a terminal: send the {0} to a file or a pipe")]

@@ -5,6 +5,7 @@
 //! unclamped.
 
 use core::fmt;
+use std::borrow::Cow;
 use std::io::{self, Write};
 
 use clap::ValueEnum;
@@ -14,6 +15,7 @@ use super::raster::{Size, fraction};
 
 #[cfg(feature = "image")]
 pub mod other;
+pub mod reading;
 
 /// The kinds of picture file that are written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -117,6 +119,26 @@ pub enum Pixels {
 }
 
 impl Displayed {
+    /// Writes a picture file of any kind but those that hold linear light.
+    ///
+    /// # Errors
+    /// Those of `out`, and [`io::ErrorKind::Unsupported`] where [`FileType::is_linear`].
+    pub fn write(&self, file_type: FileType, caption: &Caption, mut out: &mut dyn Write) -> io::Result<()> {
+        match file_type {
+            FileType::Png => self.write_png(caption, out),
+            FileType::Ppm => self.write_ppm(&mut out),
+            #[cfg(feature = "image")]
+            FileType::Bmp => self.write_bmp(out),
+            #[cfg(feature = "image")]
+            FileType::Tga => self.write_tga(out),
+            #[cfg(feature = "image")]
+            FileType::Qoi => self.write_qoi(out),
+            #[cfg(feature = "image")]
+            FileType::Hdr => Err(io::ErrorKind::Unsupported.into()),
+            FileType::Pfm => Err(io::ErrorKind::Unsupported.into()),
+        }
+    }
+
     /// Writes a PNG: indexed with its colour table, or with 8-bit RGB, and with the shape of its pixels (pHYs).
     ///
     /// # Errors
@@ -147,11 +169,17 @@ impl Displayed {
 
     /// Returns the registers of all pixels one after the other: red, green, blue.
     fn registers(&self) -> Vec<u8> {
+        bytes(&self.colors())
+    }
+
+    /// Returns the colours of all pixels, 8 bits a gun.
+    #[must_use]
+    pub fn colors(&self) -> Cow<'_, [Rgb<u8>]> {
         match &self.pixels {
-            Pixels::Direct(pixels) => bytes(pixels),
+            Pixels::Direct(pixels) => pixels.into(),
             Pixels::Indexed { palette, indices } => {
                 let color = |index: &u8| palette.get(usize::from(*index)).copied().unwrap_or_default();
-                bytes(&indices.iter().map(color).collect::<Vec<_>>())
+                indices.iter().map(color).collect()
             }
         }
     }

@@ -58,6 +58,12 @@ impl PictureOutput {
         self.file_type
     }
 
+    /// Returns whether it is standard output.
+    #[must_use]
+    pub const fn is_stdout(&self) -> bool {
+        matches!(self.output.place, Place::Stdout)
+    }
+
     /// Returns the output to write to, which is none of `inputs`.
     ///
     /// # Errors

@@ -5,7 +5,7 @@
 //! | what is measured | [`case`], [`spheres`] |
 //! | instructions under valgrind | [`child`] |
 //! | the same scenes in POV-Ray | [`povray`], [`peer`] |
-//! | the table | [`table`] |
+//! | the table | [`markdown`](super::markdown) |
 //! | instructions that are recorded, and counted again | [`drift`] |
 
 use core::sync::atomic::{AtomicBool, Ordering};
@@ -18,6 +18,7 @@ use crate::engine::interrupt;
 use crate::engine::progress::Progress;
 use crate::picture::output::{self, Inputs};
 use crate::study::error::StudyError;
+use crate::study::markdown;
 use rta_packets::tally::Rays;
 
 pub mod case;
@@ -26,7 +27,6 @@ pub mod drift;
 pub mod peer;
 pub mod povray;
 pub mod spheres;
-pub mod table;
 
 use case::{Case, Tracing};
 use child::Work;
@@ -207,7 +207,7 @@ fn report(rows: &[Row], args: &BenchArgs) -> String {
         head.extend(["povray ms", "its rays", "povray : rta"]);
     }
     let cells: Vec<_> = rows.iter().map(|row| row.cells(args)).collect();
-    let mut text = table::markdown(&head, &cells, 3);
+    let mut text = markdown::table(&head, &cells, 3);
     // Only of what the program has made: a file may have such a name too.
     let points = rows.iter().filter(|_| args.scenes.is_empty());
     let points: Vec<_> =
@@ -226,7 +226,7 @@ fn report(rows: &[Row], args: &BenchArgs) -> String {
     let scaled: Vec<_> = scaled.collect();
     if !scaled.is_empty() {
         let head = ["scene", "ms with 1 thread", "ms with 2 threads", "1 : 2"];
-        text += &format!("\nElapsed time:\n\n{}", table::markdown(&head, &scaled, 1));
+        text += &format!("\nElapsed time:\n\n{}", markdown::table(&head, &scaled, 1));
     }
     text
 }

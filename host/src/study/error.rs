@@ -2,7 +2,9 @@
 
 use crate::engine::bands::BandsError;
 use crate::picture::error::PictureError;
+use crate::picture::raster::Size;
 use crate::request::error::RequestError;
+use crate::study::measure::MeasureError;
 
 /// Why a study is not completed. It prints as one line.
 #[derive(Debug, thiserror::Error)]
@@ -17,6 +19,28 @@ pub enum StudyError {
     /// The threads do not start, or the work was interrupted.
     #[error(transparent)]
     Bands(#[from] BandsError),
+    /// Pictures cannot be measured.
+    #[error(transparent)]
+    Measure(#[from] MeasureError),
+    /// Two pictures have different numbers of pixels.
+    #[error("{} is {}, and {} is {}: only pictures of one size can be compared", reference.0, reference.1, test.0, test.1)]
+    Sizes {
+        /// The reference's file and size.
+        reference: (String, Size),
+        /// The other's.
+        test: (String, Size),
+    },
+    /// The combinations of tables and ditherings cannot be counted or drawn side by side.
+    #[error("the palette: {0}")]
+    Palette(Box<dyn core::error::Error + Send + Sync>),
+    /// A colour table or a dithering was asked for where all are shown.
+    #[error(
+        "rta palette shows every colour table with every dithering: --table and --dither choose for rta show and rta render"
+    )]
+    EveryTable,
+    /// The contact sheet was to go where the table goes.
+    #[error("the table goes to standard output: --sheet needs the name of a file")]
+    SheetToStdout,
     /// The program has no scene of its own by this name.
     #[error("there is no scene {0} in the program")]
     NoScene(String),
@@ -35,6 +59,11 @@ impl StudyError {
     /// An error of a part of a benchmark.
     pub(crate) fn bench(source: impl core::error::Error + Send + Sync + 'static) -> Self {
         Self::Bench(Box::new(source))
+    }
+
+    /// An error of a part of the study of palettes.
+    pub(crate) fn palette(source: impl core::error::Error + Send + Sync + 'static) -> Self {
+        Self::Palette(Box::new(source))
     }
 
     /// An error of a part of a report.

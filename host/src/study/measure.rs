@@ -18,6 +18,9 @@ pub mod flip;
 pub mod psnr;
 pub mod scielab;
 
+use core::fmt;
+use core::str::FromStr;
+
 use rta_core::color::Rgb;
 
 use crate::picture::raster::Size;
@@ -75,6 +78,9 @@ impl<'a> Pair<'a> {
 pub struct PixelsPerDegree(f64);
 
 impl PixelsPerDegree {
+    /// 67, a screen of today at arm's length: FLIP's own default.
+    pub const DEFAULT: Self = Self(67.0);
+
     /// Returns `pixels` in a degree if that is a number above 0 up to [`MAX_PIXELS_PER_DEGREE`].
     ///
     /// # Errors
@@ -85,6 +91,20 @@ impl PixelsPerDegree {
         } else {
             Err(MeasureError::PixelsPerDegree(pixels))
         }
+    }
+}
+
+impl fmt::Display for PixelsPerDegree {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.0.fmt(f)
+    }
+}
+
+impl FromStr for PixelsPerDegree {
+    type Err = MeasureError;
+
+    fn from_str(text: &str) -> Result<Self, MeasureError> {
+        Self::new(text.parse().unwrap_or(f64::NAN))
     }
 }
 

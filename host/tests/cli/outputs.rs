@@ -27,7 +27,7 @@ fn links(folder: &Folder) {
 fn the_scene_is_never_the_output() {
     let folder = Folder::new();
     links(&folder);
-    let itself = &["the output is the scene itself"];
+    let itself = &["the output is the input itself"];
     for output in ["scene.dat", "./scene.dat", "sub/../scene.dat", "link.dat", "hard.dat"] {
         for scene in ["scene.dat", "link.dat", "hard.dat"] {
             folder.refuses(&["bake", scene, "-o", output], itself);

@@ -1,10 +1,10 @@
 //! What is drawn over the picture: help, palette, the pixel under the mouse, and messages.
 
-use super::frame::{Frame, Place};
 use super::keys::KEYS;
-use super::text::{Anchor, Letters};
 use super::{Show, palette};
 use crate::error::Error;
+use crate::picture::frame::{Frame, Place};
+use crate::picture::text::{Anchor, Letters};
 
 /// The frame around the pixel under the mouse.
 const MARK: u32 = 0xff_ff_ff;

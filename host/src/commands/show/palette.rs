@@ -2,9 +2,9 @@
 
 use rta_core::color::Rgb;
 
-use super::frame::{Frame, packed};
-use super::text::{Anchor, Letters};
 use crate::picture::file::{Displayed, Pixels};
+use crate::picture::frame::{Frame, packed};
+use crate::picture::text::{Anchor, Letters};
 
 /// Entries side by side.
 const COLUMNS: usize = 16;
@@ -74,8 +74,8 @@ mod tests {
     use rta_core::color::Rgb;
 
     use super::{distinct, draw};
-    use crate::commands::show::frame::Frame;
     use crate::picture::file::{Displayed, Pixels};
+    use crate::picture::frame::Frame;
     use crate::picture::raster::Size;
 
     #[test]

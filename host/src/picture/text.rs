@@ -1,4 +1,4 @@
-//! Text in the window: lines of letters of one width, in a dark box that lets the picture shine through.
+//! Text over a picture: lines of letters of one width, in a dark box that lets the picture shine through.
 
 use core::ops::Range;
 
@@ -135,7 +135,7 @@ const fn part(coverage: f32) -> u8 {
 #[cfg(test)]
 mod tests {
     use super::{Anchor, Letters, OPACITY, SMALL, TALL};
-    use crate::commands::show::frame::Frame;
+    use crate::picture::frame::Frame;
 
     fn frame(width: usize, height: usize) -> Frame {
         Frame { width, height, pixels: vec![0xff_ffff; width * height] }

@@ -2,7 +2,7 @@
 
 /// A table; the first `words` columns are words and begin at the left, the others are numbers.
 #[must_use]
-pub fn markdown(head: &[&str], rows: &[Vec<String>], words: usize) -> String {
+pub fn table(head: &[&str], rows: &[Vec<String>], words: usize) -> String {
     let mut widths: Vec<usize> = head.iter().map(|name| name.chars().count()).collect();
     for row in rows {
         for (width, cell) in widths.iter_mut().zip(row) {
@@ -33,7 +33,7 @@ mod tests {
     fn words_are_at_the_left_and_numbers_at_the_right() {
         let rows = [vec!["a".to_owned(), "1".to_owned()], vec!["long".to_owned(), "10000".to_owned()]];
         assert_eq!(
-            super::markdown(&["name", "n"], &rows, 1),
+            super::table(&["name", "n"], &rows, 1),
             "| name |     n |\n| ---- | ----: |\n| a    |     1 |\n| long | 10000 |\n"
         );
     }
