@@ -12,6 +12,7 @@ mod folder;
 mod mistakes;
 mod nff;
 mod outputs;
+mod palette;
 mod pictures;
 mod pipes;
 mod refused;

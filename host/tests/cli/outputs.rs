@@ -51,6 +51,7 @@ fn the_scene_is_not_standard_output_either() {
         &["check", "scene.dat"][..],
         &["hash", "scene.dat"],
         &["explain", "scene.dat", "-p", "1,1"],
+        &["palette", "scene.dat", "-s", "9x9", "-d", "vga", "--no-instructions"],
         &["bake", "scene.dat", "-o", "-"],
         &["render", "scene.dat", "-o", "-"],
         &["render", "scene.dat", "-o", "/dev/stdout"],
@@ -175,6 +176,7 @@ fn a_pipe_that_nobody_reads_is_no_error_for_any_output() {
         &["check", "scene.dat"],
         &["hash", "scene.dat"],
         &["explain", "scene.dat", "-p", "1,1"],
+        &["palette", "scene.dat", "-s", "9x9", "-d", "vga", "--no-instructions"],
         &["completions", "bash"],
         &["render", "--help"],
     ];

@@ -16,6 +16,9 @@ use clap::ValueEnum;
 /// A picture on the sheet is at most so wide. A smaller one is enlarged by a whole number as long as it fits, a larger one reduced.
 const WIDTH: usize = 320;
 
+/// Black columns to the right of each picture.
+const GAP: usize = 4;
+
 /// Letters in a line of a caption, at most.
 const LETTERS: usize = 28;
 
@@ -48,7 +51,7 @@ fn block(shown: &Shown) -> Frame {
         traced.size,
         device.pixels_per_degree()
     );
-    let width = lines.first().map_or(0, |line| line.width);
+    let width = lines.first().map_or(0, |line| line.width.saturating_sub(GAP));
     stacked(&[vec![title(width, &words)], lines].concat())
 }
 
@@ -102,14 +105,17 @@ fn stacked(frames: &[Frame]) -> Frame {
     Frame { width, height: frames.iter().map(|frame| frame.height).sum(), pixels }
 }
 
-/// Returns frames of one height side by side.
+/// Returns frames of one height side by side, each with a gap after it.
 fn beside(frames: &[Frame]) -> Frame {
     let height = frames.iter().map(|frame| frame.height).max().unwrap_or(0);
-    let row = |y: usize| {
-        frames.iter().flat_map(move |frame| frame.pixels.iter().skip(y * frame.width).take(frame.width))
-    };
-    let pixels = (0..height).flat_map(row).copied().collect();
-    Frame { width: frames.iter().map(|frame| frame.width).sum(), height, pixels }
+    let mut pixels = Vec::new();
+    for y in 0..height {
+        for frame in frames {
+            pixels.extend(frame.pixels.iter().skip(y * frame.width).take(frame.width));
+            pixels.resize(pixels.len() + GAP, 0);
+        }
+    }
+    Frame { width: frames.iter().map(|frame| frame.width + GAP).sum(), height, pixels }
 }
 
 fn unpacked(pixel: u32) -> Rgb<u8> {
@@ -125,9 +131,11 @@ mod tests {
     fn frames_lie_beside_and_below_each_other() {
         let frame = |width, height, color| Frame { width, height, pixels: vec![color; width * height] };
         let pair = beside(&[frame(1, 2, 1), frame(2, 2, 2)]);
-        assert_eq!(pair, Frame { width: 3, height: 2, pixels: vec![1, 2, 2, 1, 2, 2] });
+        let row = [[1, 0, 0, 0, 0].as_slice(), &[2, 2, 0, 0, 0, 0]].concat();
+        assert_eq!(pair, Frame { width: 11, height: 2, pixels: row.repeat(2) });
         let all = stacked(&[pair, frame(1, 1, 3)]);
-        assert_eq!(all, Frame { width: 3, height: 3, pixels: vec![1, 2, 2, 1, 2, 2, 3, 0, 0] });
+        let last = [[3].as_slice(), &[0; 10]].concat();
+        assert_eq!(all, Frame { width: 11, height: 3, pixels: [row.repeat(2), last].concat() });
     }
 
     #[test]
