@@ -5,7 +5,7 @@
 //! | what is measured | [`case`], [`spheres`] |
 //! | instructions under valgrind | [`child`] |
 //! | the same scenes in POV-Ray | [`povray`], [`peer`] |
-//! | the table | [`markdown`](super::markdown) |
+//! | the table | [`markdown`] |
 //! | instructions that are recorded, and counted again | [`drift`] |
 
 use core::sync::atomic::{AtomicBool, Ordering};
