@@ -4,6 +4,9 @@
 //! Everything about it that does not draw is beside it: [`admission`] proves that a scene fits a format, [`bands`] shares rows
 //! among threads and [`callgrind`] counts instructions.
 
+use core::sync::atomic::AtomicBool;
+
+use rayon::ThreadPool;
 use rta_core::color::Rgb;
 use rta_core::raster::Raster;
 use rta_core::raster::lattice::Lattice;
@@ -15,6 +18,7 @@ use rta_scenes::in_format;
 use rta_scenes::narrow::Narrow;
 
 use crate::picture::raster::Size;
+use bands::BandsError;
 use probe::Probe;
 
 pub mod admission;
@@ -205,6 +209,31 @@ impl Engine {
     /// with one sample in the middle of each pixel.
     pub fn grid_rows(&self, lattice: Lattice, first: u32, out: &mut [Rgb<u8>]) {
         self.rows.on_grid(lattice, first, out);
+    }
+
+    /// Returns the colours, 8 bits a gun, of the picture's pixels on a grid, of which a colour table is made, with all threads of `pool`.
+    ///
+    /// # Errors
+    /// [`BandsError::Interrupted`] soon after `stop` becomes true.
+    pub fn on_grid(
+        &self,
+        lattice: Lattice,
+        pool: &ThreadPool,
+        stop: &AtomicBool,
+    ) -> Result<Vec<Rgb<u8>>, BandsError> {
+        let (grid, mut pixels) = (lattice.grid(), Vec::new());
+        let size = Size::clamped(grid.width(), grid.height());
+        bands::bands(
+            size,
+            pool,
+            stop,
+            |first, out: &mut [_]| self.grid_rows(lattice, first, out),
+            |_, band| {
+                pixels.extend(band);
+                Ok::<_, BandsError>(())
+            },
+        )?;
+        Ok(pixels)
     }
 
     /// Traces the pixel in column `x` of row `y` once more and returns what its rays hit and how many there are. Outside of the

@@ -41,6 +41,11 @@ impl Lattice {
     pub const fn pixel(self, i: u32, j: u32) -> (u32, u32) {
         (spread(i, self.grid.width, self.raster.width), spread(j, self.grid.height, self.raster.height))
     }
+
+    /// Returns all of these pixels, row by row.
+    pub fn pixels(self) -> impl Iterator<Item = (u32, u32)> {
+        (0..self.grid.height).flat_map(move |j| (0..self.grid.width).map(move |i| self.pixel(i, j)))
+    }
 }
 
 /// A side of a raster, which is at most 65535.
@@ -125,6 +130,7 @@ mod tests {
             [lattice.pixel(0, 0), lattice.pixel(1, 1), lattice.pixel(79, 49)],
             [(2, 2), (6, 6), (318, 198)]
         );
+        assert!(lattice.pixels().nth(81) == Some((6, 6)) && lattice.pixels().count() == 80 * 50);
         let all = Lattice::new(raster(5, 3), 15);
         assert!((0..5).all(|i| all.pixel(i, i.min(2)) == (i, i.min(2))));
     }

@@ -16,7 +16,8 @@ const CLASSES: usize = 64;
 /// `sqrt(6 d)`. So it walks from the place of the colour's own sum up, and then down, until the sums differ by more than the best
 /// entry so far allows; the first of these is the entry of the pixel before.
 ///
-/// The table takes 840 bytes on a processor of 32 bits, and may lie in flash: [`Palette::new`] is a constant function, and a shared reference is a table too.
+/// The table takes 840 bytes on a processor of 32 bits, and may lie in flash: [`Palette::new`] is a constant function, and a shared
+/// reference is a table too.
 ///
 /// ```
 /// use rta_core::color::Rgb;

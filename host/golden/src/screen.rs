@@ -23,7 +23,8 @@ use crate::picture::Picture;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Table {
     /// Made for the picture before it is drawn, from [`SAMPLES`] of its pixels: [`variance_cut`]. On a device with
-    /// [fine pixels](Capabilities::has_fine_pixels) it is dithered by [`Diffusion`] of the weights [`Damped`]. It is what the program draws unless told otherwise.
+    /// [fine pixels](Capabilities::has_fine_pixels) it is dithered by [`Diffusion`] of the weights [`Damped`]. It is
+    /// what the program draws unless told otherwise.
     #[default]
     Sampled,
     /// Built while the picture is drawn; what is nearly an entry shares it: [`Adaptive::tolerant`].
@@ -115,11 +116,9 @@ impl Screen {
     /// table, and [`DrawError::Display`] for a level that its guns do not have.
     pub fn paint(&self, light: impl Into<Vec<Rgb<u8>>>) -> Result<Picture, DrawError> {
         let (light, lattice) = (light.into(), self.lattice(self.raster()?));
-        let (grid, width) = (lattice.grid(), self.size.0 as usize);
-        let samples = || {
-            let places = (0..grid.height()).flat_map(|j| (0..grid.width()).map(move |i| lattice.pixel(i, j)));
-            places.filter_map(|(x, y)| light.get(y as usize * width + x as usize).copied()).collect()
-        };
+        let width = self.size.0 as usize;
+        let pixel = |(x, y): (u32, u32)| light.get(y as usize * width + x as usize).copied();
+        let samples = || lattice.pixels().filter_map(pixel).collect();
         self.draw(&light, samples)
     }
 

@@ -37,7 +37,11 @@ pub fn run(args: &BakeArgs) -> Result<(), Error> {
     // From here on a signal waits for the file, which is soon complete; while a palette is made, it ends that.
     let stop = interrupt::watch();
     let source = match args.palette {
-        Some(device) => source + &palette(args, device, model, &scene, stop)?,
+        Some(device) => {
+            // Of the scene that is baked, which may be a scaled one.
+            let baked = SceneFile { description: description.into_owned(), ..scene.clone() };
+            source + &palette(args, device, model, &baked, stop)?
+        }
         None => source,
     };
     Ok(output::write_text(&args.output, &source, &scene.inputs)?)
@@ -53,8 +57,8 @@ fn palette(
 ) -> Result<String, Error> {
     let coloring = Coloring { table: TableKind::Baked, dither: DitherKind::None, samples: 0 };
     let aspect = Some(args.aspect);
-    let BakeArgs { format, size, fit, .. } = *args;
-    let asked = TracingArgs { format, size, aspect, fit, model: Some(model), ..TracingArgs::default() };
+    let BakeArgs { format, size, .. } = *args;
+    let asked = TracingArgs { format, size, aspect, model: Some(model), ..TracingArgs::default() };
     let request = Request { coloring, ..asked.request(Target::On(device)) };
     let levels = Work::new(&request, scene, None, stop)?.quiet(true).palette(device)?;
     let gun_max = device.capabilities().gun_max;

@@ -158,8 +158,8 @@ impl<'a> Work<'a> {
         match self.request.target {
             Target::On(device) => {
                 let coloring = self.request.coloring;
-                let about = ((device, coloring), (self.size, self.aspect));
-                let mut screen = Screen::new(about.0, about.1, |lattice| self.on_grid(lattice))?;
+                let shape = (self.size, self.aspect);
+                let mut screen = Screen::new((device, coloring), shape, |lattice| self.on_grid(lattice))?;
                 let most = coloring.light_max(device.capabilities());
                 let trace = |first, light: &mut [_]| self.engine.level_rows(first, most, light);
                 self.trace(trace, |first, light| Ok::<_, Error>(screen.put_rows(first, &light)?))?;
@@ -208,15 +208,7 @@ impl<'a> Work<'a> {
 
     /// Traces the pixels of a grid, of which a colour table is made.
     fn on_grid(&self, lattice: Lattice) -> Result<Vec<Rgb<u8>>, Error> {
-        let grid = lattice.grid();
-        let size = Size::clamped(grid.width(), grid.height());
-        let (mut pixels, trace) =
-            (Vec::new(), |first, out: &mut [_]| self.engine.grid_rows(lattice, first, out));
-        bands::bands(size, &self.pool, self.stop, trace, |_, band| {
-            pixels.extend(band);
-            Ok::<_, Error>(())
-        })?;
-        Ok(pixels)
+        Ok(self.engine.on_grid(lattice, &self.pool, self.stop)?)
     }
 
     /// Traces the picture as linear light before any display.

@@ -199,10 +199,8 @@ impl fmt::Display for Coloring {
 
 /// Returns those of a whole picture's pixels that are on a grid.
 pub(crate) fn on_grid(picture: &[Rgb<u8>], size: Size, lattice: Lattice) -> Vec<Rgb<u8>> {
-    let grid = lattice.grid();
-    let places = (0..grid.height()).flat_map(|j| (0..grid.width()).map(move |i| lattice.pixel(i, j)));
     let pixel = |(x, y): (u32, u32)| picture.get(y as usize * size.columns() + x as usize).copied();
-    places.map(|place| pixel(place).unwrap_or_default()).collect()
+    lattice.pixels().map(|place| pixel(place).unwrap_or_default()).collect()
 }
 
 /// A colour table of any kind.

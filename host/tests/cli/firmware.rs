@@ -46,6 +46,12 @@ fn a_palette_is_baked_as_the_table_of_the_picture() {
     assert!(bytes.len() > 3 * 100, "{}", bytes.len());
     assert_eq!(bytes, table);
     folder.refuses(&["bake", "scene.dat", "-o", "a.rs", "--size", "64x48"], &["--palette"]);
+    // A scene that does not fit is scaled once, and told once.
+    folder.scene("far.nff", "v\nfrom 0 -90001 0\nat 0 0 0\nup 0 0 1\nangle 40\nhither 1\nresolution 64 48\nl 9 -90001 5\ns 0 0 0 20000\n");
+    let baked =
+        folder.rta(&["bake", "far.nff", "-o", "far.rs", "--fit", "--palette", "vga", "--size", "64x48"]);
+    let told = String::from_utf8(baked.stderr).unwrap();
+    assert!(baked.status.success() && told.matches("is scaled by").count() == 1, "{told}");
     folder.refuses(
         &["bake", "scene.dat", "-o", "a.rs", "--palette", "vga", "--size", "321x2"],
         &["321x2", "vga"],

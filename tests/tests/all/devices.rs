@@ -46,10 +46,8 @@ fn light(device: Device, coloring: Coloring, size: Size) -> Vec<Rgb<u8>> {
 
 fn show(device: Device, coloring: Coloring, size: Size, light: &[Rgb<u8>]) -> Displayed {
     let on_grid = |lattice: Lattice| {
-        let grid = lattice.grid();
-        let places = (0..grid.height()).flat_map(|j| (0..grid.width()).map(move |i| lattice.pixel(i, j)));
         let pixel = |(x, y): (u32, u32)| light.get(y as usize * size.columns() + x as usize).copied();
-        Ok::<_, PictureError>(places.filter_map(pixel).collect())
+        Ok::<_, PictureError>(lattice.pixels().filter_map(pixel).collect())
     };
     let mut screen = Screen::new((device, coloring), (size, 1.0), on_grid).expect("it starts");
     // In bands of seven rows, as a tracer delivers them.

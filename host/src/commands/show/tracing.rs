@@ -101,14 +101,7 @@ impl Tracing {
                 }
                 let began = Instant::now();
                 if let Some(lattice) = samples {
-                    let (grid, mut pixels) = (lattice.grid(), Vec::new());
-                    let size = Size::clamped(grid.width(), grid.height());
-                    let trace = |first, levels: &mut [_]| engine.grid_rows(lattice, first, levels);
-                    bands::bands(size, &pool, &stopped, trace, |_, band| {
-                        pixels.extend(band);
-                        Ok::<_, BandsError>(())
-                    })?;
-                    send(Part::Samples(pixels))?;
+                    send(Part::Samples(engine.on_grid(lattice, &pool, &stopped)?))?;
                 }
                 let trace = |first, levels: &mut [_]| engine.level_rows(first, light_max, levels);
                 let deliver = |first, levels| send(Part::Rows { size, first, levels });
