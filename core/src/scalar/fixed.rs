@@ -10,7 +10,9 @@ use fixed::FixedI32;
 use fixed::types::extra::LeEqU32;
 use fixed::types::{I2F30, I12F20, I16F16};
 
-use super::integer::{self, Reciprocal, exp2_minus, minus_log2, shift_right, wide};
+use super::integer::{
+    self, Reciprocal, arc_squared, exp2_minus, minus_log2, shift_right, wide, wide_unsigned,
+};
 use super::vector::{UnitVector, Xyz};
 use super::{Light, Magnitude, Number, Unit};
 
@@ -70,6 +72,7 @@ impl Number for Radiance {
 
 impl Unit for I2F30 {
     type Inverse = Reciprocal;
+    type Positive = Magnitude;
     const ZERO: Self = Self::ZERO;
     const ONE: Self = Self::ONE;
     const LARGEST: Magnitude = Magnitude::new(1 << 31, -30);
@@ -113,6 +116,15 @@ impl Unit for I2F30 {
         let log = u64::from(minus_log2(self.to_bits().unsigned_abs())) * u64::from(part);
         Self::from_bits(exp2_minus((log >> 32) as u32).cast_signed())
     }
+    fn sqrt(self) -> Self {
+        root(i64::from(self.to_bits()) << UNIT_BITS).unwrap_or(Self::ZERO)
+    }
+    fn arc_squared(self) -> Self {
+        Self::from_bits(arc_squared(self.to_bits().max(0).cast_unsigned()).cast_signed())
+    }
+    fn positive(self) -> Magnitude {
+        if self < Self::ZERO { Magnitude::ZERO } else { self.size() }
+    }
     fn quotient(self, divisor: Self) -> Self {
         let reciprocal = Reciprocal::of(divisor.to_bits().unsigned_abs());
         let size = saturate(reciprocal.times(self.to_bits().saturating_abs()));
@@ -149,6 +161,10 @@ impl Light for Radiance {
         // A cosine of 0 may be one LSB below it.
         let product = shift_right(wide(self.0.to_bits(), factor.to_bits()), UNIT_BITS);
         Self(I16F16::from_bits(saturate(product.max(0))))
+    }
+    fn amplified(self, factor: Magnitude) -> Self {
+        let (mantissa, exponent) = factor.parts();
+        radiance(wide_unsigned(self.0.to_bits().unsigned_abs(), mantissa), exponent)
     }
     #[cfg_attr(not(target_os = "none"), inline)]
     fn level(self, max: u8) -> u8 {
