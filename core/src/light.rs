@@ -79,9 +79,11 @@ impl<'a, S: Scalar> Incident<'a, S> {
         if self.lamp.square_law && intensity > S::Light::WHITE { S::Light::WHITE } else { intensity }
     }
 
-    /// Returns the irradiance of a spherical lamp: that of a point times 1 to 2, its solid angle over `pi (r/d)^2`, which is
+    /// Returns the light that a surface with the reflectance `reflectance` sends back of a spherical lamp, rounded once; saturates.
+    ///
+    /// The irradiance is that of a point times 1 to 2: the solid angle of the sphere over `pi (r/d)^2`, which is
     /// `2 / (1 + sqrt(1 - (r/d)^2))`. A point within the lamp is taken as one on it.
-    pub fn irradiance_of_sphere(&self) -> S::Light {
+    pub fn reflected_sphere(&self, reflectance: S::Power) -> S::Light {
         let (one, half) = (S::Unit::ONE, S::Unit::ratio(1, 2));
         let (inverse, sine) = if self.lamp.radius < self.distance {
             (self.inverse_distance, self.lamp.radius.fraction(self.inverse_distance))
@@ -89,8 +91,8 @@ impl<'a, S: Scalar> Incident<'a, S> {
             (self.lamp.inverse_radius, one)
         };
         let cosine = S::Unit::radical(one, S::Unit::ZERO, sine).unwrap_or(S::Unit::ZERO);
-        let wide = one.positive().over((half + cosine.times(half)).positive());
-        S::fall_off(self.lamp.power, inverse).amplified(wide)
+        let narrow = (half + cosine.times(half)).positive();
+        S::fall_off(self.lamp.power.times(reflectance).over(narrow), inverse)
     }
 
     /// Returns the lamp's solid angle as a part of the full sphere (4 pi steradians): `(1 - sqrt(1 - (r/d)^2)) / 2`; 1/2 for a

@@ -16,7 +16,7 @@ pub use explain::{Choice, ExplainArgs};
 pub use pages::{CompletionsArgs, ManArgs};
 pub use picture::{HashArgs, RenderArgs, ShowArgs};
 pub use scene::{BakeArgs, CheckArgs, ReadingArgs};
-pub use study::{BenchArgs, InstructionsArgs, Peer, ReportArgs, StabilityArgs, TracedArgs};
+pub use study::{BenchArgs, InstructionsArgs, Peer, ReportArgs, StabilityArgs, TracedArgs, ValuesArgs};
 pub use tracing::TracingArgs;
 
 const EXAMPLES: &str = "\
@@ -103,6 +103,12 @@ pub enum Command {
     /// CPU time counts. Rays are counted apart, by kind, and so are retired instructions (where valgrind is installed).
     /// Of random spheres the table is followed by how the time of a ray grows with their number.
     Bench(BenchArgs),
+    /// Compare stated values of illumination models with what the program computes
+    ///
+    /// A text states a value as name(arguments) = number, as in fresnel(1.52,80) = 0.390949863; everything else in it is passed
+    /// over. Each is printed with the number that is computed, the one that is stated, the relative error, and ok or OFF. The
+    /// functions are those that pictures are drawn with. For students, and for whoever ports a model. Status 1 if a value is off.
+    Values(ValuesArgs),
     /// Print a script that completes commands and options in a shell
     ///
     /// For bash: rta completions bash >~/.local/share/bash-completion/completions/rta

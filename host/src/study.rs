@@ -6,3 +6,4 @@ pub mod measure;
 pub mod paired;
 pub mod report;
 pub mod stability;
+pub mod values;

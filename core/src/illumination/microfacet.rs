@@ -5,7 +5,7 @@
 //! ([`fresnel`](super::fresnel)). They are types, so that a program that uses one of each contains no other.
 
 use crate::scalar::vector::{UnitVec3, UnitVector};
-use crate::scalar::{Exponent, Light, Positive, Scalar, Unit};
+use crate::scalar::{Exponent, Positive, Scalar, Unit};
 
 mod attenuation;
 mod distribution;
@@ -129,15 +129,9 @@ pub fn highlight<U: Unit>(cosine: U, exponent: Exponent, reflected: U) -> U {
     if cosine > U::ZERO { cosine.power(exponent).times(reflected) } else { U::ZERO }
 }
 
-/// Returns the light that a surface sends back of `light`, the irradiance of a lamp in one register: `s R + (1 - s) C (N.L)`,
-/// with the share s of mirroring facets, their reflectance R and the diffuse reflectance C (Cook and Torrance 1982).
-pub fn mixed<L: Light>(
-    light: L,
-    share: L::Unit,
-    reflectance: <L::Unit as Unit>::Positive,
-    color: L::Unit,
-    cosine: L::Unit,
-) -> L {
-    let diffuse = (L::Unit::ONE - share).times(color).times(cosine);
-    light.times(diffuse).plus(light.amplified(reflectance.times(share.positive())))
+/// Returns the reflectance of a surface of which the share s mirrors by facets of the reflectance R and the rest is diffuse (Cook
+/// and Torrance 1982): `s R + (1 - s) C (N.L)`, with the diffuse reflectance C and the cosine N.L of the lamp, above 0.
+pub fn mixed<U: Unit>(share: U, mirrored: U::Positive, color: U, cosine: U) -> U::Positive {
+    let diffuse = (U::ONE - share).times(color).times(cosine);
+    diffuse.positive().plus(mirrored.times(share.positive()))
 }

@@ -279,6 +279,9 @@ impl<S: Format> Narrow for Paired<S> {
     fn light_to_f64(light: Self::Light) -> f64 {
         S::light_to_f64(light.format)
     }
+    fn power_to_f64(power: Self::Power) -> f64 {
+        S::power_to_f64(power.format)
+    }
 }
 
 /// The search follows the format: its numbers decide.
