@@ -3,6 +3,9 @@
 //! The tracer calls the model, never the other way: for a [`Surface`] and one [`Incident`] lamp at a time the model returns
 //! light, and for a surface the [`Weight`]s of its secondary rays. The model of a picture is one type parameter.
 
+pub mod fade;
+pub mod fresnel;
+pub mod microfacet;
 mod weight;
 
 pub use weight::Weight;
@@ -48,6 +51,10 @@ models! { ($)
     whitted: Whitted = "whitted", "Whitted 1980: lamps are not attenuated, highlights are powers of a cosine";
     phong: Phong = "phong", "Phong 1975 with Whitted's rays, the model of NFF: highlights are around the reflected ray";
     lambert: Lambert = "lambert", "Lambert 1760: every surface is diffuse, no ray is reflected or transmitted";
+    flat: Flat = "flat", "Every surface shows its colour, without lamps";
+    bouknight: Bouknight = "bouknight", "Bouknight 1970: diffuse surfaces without a Mach band at the edge of a shadow";
+    romney: Romney = "romney", "Romney 1970: the only lamp is in the eye";
+    blinn: Blinn = "blinn", "Blinn 1977: Phong's highlights by the vector halfway between lamp and eye";
 }
 
 /// The secondary rays of a point, by their weights: the part of their light that the point sends back; `None` for no ray.

@@ -2,7 +2,7 @@
 
 use crate::color::Rgb;
 use crate::scalar::vector::{LengthVector, UnitVec3, UnitVector, Vec3};
-use crate::scalar::{Light, Scalar, Unit};
+use crate::scalar::{Light, Positive, Scalar, Unit};
 
 /// A lamp: a point light at its centre, visible as a sphere if its radius is above 0. It casts no shadow.
 #[derive(Clone, Copy, Debug)]
@@ -71,6 +71,28 @@ impl<'a, S: Scalar> Incident<'a, S> {
     /// Returns the intensity of the strongest register as a radiance, not attenuated.
     pub fn intensity(&self) -> S::Light {
         S::intensity(self.lamp.power)
+    }
+
+    /// Returns the intensity for a model that attenuates no lamp: of a lamp that is made for the square law at most 1.
+    pub fn unattenuated(&self) -> S::Light {
+        let intensity = self.intensity();
+        if self.lamp.square_law && intensity > S::Light::WHITE { S::Light::WHITE } else { intensity }
+    }
+
+    /// Returns the light that a surface with the reflectance `reflectance` sends back of a spherical lamp, rounded once; saturates.
+    ///
+    /// The irradiance is that of a point times 1 to 2: the solid angle of the sphere over `pi (r/d)^2`, which is
+    /// `2 / (1 + sqrt(1 - (r/d)^2))`. A point within the lamp is taken as one on it.
+    pub fn reflected_sphere(&self, reflectance: S::Power) -> S::Light {
+        let (one, half) = (S::Unit::ONE, S::Unit::ratio(1, 2));
+        let (inverse, sine) = if self.lamp.radius < self.distance {
+            (self.inverse_distance, self.lamp.radius.fraction(self.inverse_distance))
+        } else {
+            (self.lamp.inverse_radius, one)
+        };
+        let cosine = S::Unit::radical(one, S::Unit::ZERO, sine).unwrap_or(S::Unit::ZERO);
+        let narrow = (half + cosine.times(half)).positive();
+        S::fall_off(self.lamp.power.times(reflectance).over(narrow), inverse)
     }
 
     /// Returns the lamp's solid angle as a part of the full sphere (4 pi steradians): `(1 - sqrt(1 - (r/d)^2)) / 2`; 1/2 for a

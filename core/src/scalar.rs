@@ -23,11 +23,13 @@ mod fixed;
 mod float;
 pub mod integer;
 mod magnitude;
+mod positive;
 pub mod vector;
 
 pub use exponent::Exponent;
 pub use fixed::{Q16, Q20, Radiance};
 pub use magnitude::Magnitude;
+pub use positive::Positive;
 use vector::{LengthVector, UnitVector};
 
 /// A number whose size can be bounded.
@@ -39,13 +41,13 @@ pub trait Number: Copy + Debug + PartialEq + Send + Sync + 'static {
 /// A length: coordinates, radii, distances, in the scene's unit.
 pub trait Scalar: Number + PartialOrd + Add<Output = Self> + Sub<Output = Self> + Neg<Output = Self> {
     /// A component of a unit vector, a cosine, a coefficient. It holds at least the range [-1.99, 1.99].
-    type Unit: Unit;
+    type Unit: Unit<Positive = Self::Power>;
     /// A sum of products of two lengths, unrounded.
     type Wide: Copy + Debug + PartialOrd + Add<Output = Self::Wide> + Sub<Output = Self::Wide>;
     /// Radiance and irradiance.
     type Light: Light<Unit = Self::Unit>;
-    /// The intensity of a lamp, 0 or from 1e-4 up to 1e9.
-    type Power: Number;
+    /// The intensity of a lamp, 0 or from 1e-4 up to 1e9, and any other number of 0 or more that has no bound.
+    type Power: Positive<Unit = Self::Unit>;
     /// The reciprocal of a length, to about 30 bits whatever its size.
     type Inverse: Copy + Debug + PartialEq + Send + Sync;
     /// Three lengths.
@@ -81,6 +83,8 @@ pub trait Scalar: Number + PartialOrd + Add<Output = Self> + Sub<Output = Self> 
     fn part(part: Self::Wide, whole: Self::Wide) -> Self::Unit;
     /// Returns the square root; 0 for a negative square.
     fn sqrt(square: Self::Wide) -> Self;
+    /// Returns a length of 0 or more as a number without a unit; a negative one counts as 0.
+    fn positive(self) -> Self::Power;
     /// Returns `1 / self`, for `self > 0`; for anything else an unspecified value, never a panic.
     fn inverse(self) -> Self::Inverse;
     /// Returns `self / whole` for `0 <= self <= whole`, where `whole` is given by its reciprocal.
@@ -128,6 +132,8 @@ pub trait Scalar: Number + PartialOrd + Add<Output = Self> + Sub<Output = Self> 
 pub trait Unit: Number + PartialOrd + Add<Output = Self> + Sub<Output = Self> + Neg<Output = Self> {
     /// The reciprocal of a number in ]0, 2[.
     type Inverse: Copy + Debug + PartialEq + Send + Sync;
+    /// A number of 0 or more and of any size.
+    type Positive: Positive<Unit = Self>;
 
     /// 0.
     const ZERO: Self;
@@ -151,6 +157,15 @@ pub trait Unit: Number + PartialOrd + Add<Output = Self> + Sub<Output = Self> + 
     fn quotient(self, divisor: Self) -> Self;
     /// Returns `self^(part / 2^32)`, for `self` in [0, 1] and a `part` above 0.
     fn root(self, part: u32) -> Self;
+    /// Returns the square root; 0 for a negative number.
+    fn sqrt(self) -> Self {
+        self.positive().root().unit()
+    }
+    /// Returns `arcsin(sqrt(self))^2`, for `self` in [0, 1/2]: the square of half an angle (radians) whose cosine is
+    /// `1 - 2 self`. Within 1e-8 in fixed point.
+    fn arc_squared(self) -> Self;
+    /// Returns the number, or 0 for a negative one.
+    fn positive(self) -> Self::Positive;
     /// Returns `self^exponent`, for `self` in [0, 1]: by repeated squaring what is whole of the exponent.
     fn power(self, exponent: Exponent) -> Self {
         let (whole, part) = exponent.split();

@@ -18,7 +18,7 @@ pub use picture::{HashArgs, RenderArgs, ShowArgs};
 pub use scene::{BakeArgs, CheckArgs, ReadingArgs};
 pub use study::{
     BenchArgs, DifferenceArgs, IndexingArgs, InstructionsArgs, PaletteArgs, Peer, ReportArgs, StabilityArgs,
-    TracedArgs,
+    TracedArgs, ValuesArgs,
 };
 pub use tracing::TracingArgs;
 
@@ -118,6 +118,12 @@ pub enum Command {
     /// FLIP (0 to 1) and S-CIELAB at a distance, which is a number of pixels in one degree of the visual field, and PSNR. Codes are
     /// read as sRGB.
     Difference(DifferenceArgs),
+    /// Compare stated values of illumination models with what the program computes
+    ///
+    /// A text states a value as name(arguments) = number, as in fresnel(1.52,80) = 0.390949863; everything else in it is passed
+    /// over. Each is printed with the number that is computed, the one that is stated, the relative error, and ok or OFF. The
+    /// functions are those that pictures are drawn with. For students, and for whoever ports a model. Status 1 if a value is off.
+    Values(ValuesArgs),
     /// Print a script that completes commands and options in a shell
     ///
     /// For bash: rta completions bash >~/.local/share/bash-completion/completions/rta

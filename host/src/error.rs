@@ -51,6 +51,12 @@ impl Error {
         )
     }
 
+    /// Whether a comparison is completed and found a difference, which it has printed.
+    #[must_use]
+    pub const fn is_difference(&self) -> bool {
+        matches!(self, Self::Study(StudyError::Off))
+    }
+
     /// Whether the reader of standard output has closed it, which is no error of the program's.
     #[must_use]
     pub const fn is_broken_pipe(&self) -> bool {

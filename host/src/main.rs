@@ -9,8 +9,10 @@ use rta::commands::show::window;
 use rta::commands::{bake, check, explain, hash, pages, render};
 use rta::engine::interrupt;
 use rta::error::Error;
-use rta::study::{bench, difference, palette, report, stability};
+use rta::study::{bench, difference, palette, report, stability, values};
 
+/// Exit status after a comparison that found a difference, which is no error of the program's.
+const DIFFERENT: u8 = 1;
 /// Exit status after any error.
 const FAILED: u8 = 2;
 
@@ -31,6 +33,7 @@ fn main() -> ExitCode {
     match run(cli.command) {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) if error.is_broken_pipe() => ExitCode::SUCCESS,
+        Err(error) if error.is_difference() => DIFFERENT.into(),
         Err(error) if error.is_interruption() => interrupt::STATUS.into(),
         Err(error) => {
             complain(&format!("error: {error}\n"));
@@ -49,6 +52,7 @@ fn run(command: Option<Command>) -> Result<(), Error> {
         Some(Command::Bench(args)) => bench::run(&args)?,
         Some(Command::Traced(args)) => bench::child::run(&args)?,
         Some(Command::Stability(args)) => stability::run(&args)?,
+        Some(Command::Values(args)) => values::run(&args)?,
         Some(Command::Check(args)) => check::run(&args)?,
         Some(Command::Bake(args)) => bake::run(&args)?,
         Some(Command::Hash(args)) => hash::run(&args)?,

@@ -10,3 +10,4 @@ pub mod paired;
 pub mod palette;
 pub mod report;
 pub mod stability;
+pub mod values;

@@ -31,6 +31,7 @@ mod doubts;
 pub mod error;
 pub mod fit;
 pub mod format;
+pub mod gloss;
 mod lines;
 pub mod model;
 pub mod narrow;

@@ -19,6 +19,7 @@ mod plane;
 pub mod triangle;
 
 use check::Checker;
+pub use check::exponent;
 pub use error::NarrowError;
 
 /// A number format that descriptions can be narrowed to.
@@ -49,6 +50,8 @@ pub trait Narrow: Scalar {
     fn unit_to_f64(unit: Self::Unit) -> f64;
     /// Returns a radiance as a float, exactly.
     fn light_to_f64(light: Self::Light) -> f64;
+    /// Returns an intensity, or another number without a bound, as a float, exactly.
+    fn power_to_f64(power: Self::Power) -> f64;
 }
 
 /// A scene and an eye in one number format: the lists that a core [`Scene`] borrows.

@@ -63,9 +63,7 @@ impl<S: Scalar> Whitted<S> {
         highlight: impl FnOnce() -> S::Unit,
     ) -> Rgb<S::Light> {
         let (kd, ks, exponent) = self.coefficients::<N>(surface.material);
-        let intensity = incident.intensity();
-        let is_cut = incident.lamp.square_law && intensity > S::Light::WHITE;
-        let intensity = if is_cut { S::Light::WHITE } else { intensity };
+        let intensity = incident.unattenuated();
         let diffuse = kd.times(incident.cosine);
         let specular = if N::GLINT && ks > S::Unit::ZERO {
             let cosine = highlight();

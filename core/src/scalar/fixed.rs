@@ -10,7 +10,7 @@ use fixed::FixedI32;
 use fixed::types::extra::LeEqU32;
 use fixed::types::{I2F30, I12F20, I16F16};
 
-use super::integer::{self, Reciprocal, exp2_minus, minus_log2, shift_right, wide};
+use super::integer::{self, Reciprocal, arc_squared, exp2_minus, minus_log2, shift_right, wide};
 use super::vector::{UnitVector, Xyz};
 use super::{Light, Magnitude, Number, Unit};
 
@@ -70,6 +70,7 @@ impl Number for Radiance {
 
 impl Unit for I2F30 {
     type Inverse = Reciprocal;
+    type Positive = Magnitude;
     const ZERO: Self = Self::ZERO;
     const ONE: Self = Self::ONE;
     const LARGEST: Magnitude = Magnitude::new(1 << 31, -30);
@@ -112,6 +113,12 @@ impl Unit for I2F30 {
         }
         let log = u64::from(minus_log2(self.to_bits().unsigned_abs())) * u64::from(part);
         Self::from_bits(exp2_minus((log >> 32) as u32).cast_signed())
+    }
+    fn arc_squared(self) -> Self {
+        Self::from_bits(arc_squared(self.to_bits().max(0).cast_unsigned()).cast_signed())
+    }
+    fn positive(self) -> Magnitude {
+        if self < Self::ZERO { Magnitude::ZERO } else { self.size() }
     }
     fn quotient(self, divisor: Self) -> Self {
         let reciprocal = Reciprocal::of(divisor.to_bits().unsigned_abs());

@@ -3,10 +3,23 @@
 #![allow(clippy::float_arithmetic)] // the one file of the core that has floats
 
 use super::vector::{LengthVector, Plan, UnitVector, Vector};
-use super::{Light, Magnitude, Number, Scalar, Unit};
+use super::{Light, Magnitude, Number, Positive, Scalar, Unit};
+
+mod single {
+    pub(super) use core::f32::consts::FRAC_2_SQRT_PI;
+    pub(super) use libm::{
+        asinf as asin, erfcf as erfc, exp2f as exp2, expf as exp, ldexpf as ldexp, powf as pow, sqrtf as sqrt,
+    };
+}
+
+#[cfg(feature = "f64")]
+mod double {
+    pub(super) use core::f64::consts::FRAC_2_SQRT_PI;
+    pub(super) use libm::{asin, erfc, exp, exp2, ldexp, pow, sqrt};
+}
 
 macro_rules! float {
-    ($f:ty, $vec:ty, $sqrt:path, $pow:path, $int:ident, $far:expr, $size:path) => {
+    ($f:ty, $vec:ty, $libm:ident, $int:ident, $far:expr, $size:path) => {
         impl Number for $f {
             fn size(self) -> Magnitude {
                 $size(self)
@@ -15,6 +28,7 @@ macro_rules! float {
 
         impl Unit for $f {
             type Inverse = $f;
+            type Positive = $f;
             const ZERO: Self = 0.0;
             const ONE: Self = 1.0;
             const LARGEST: Magnitude = $size($far);
@@ -33,15 +47,50 @@ macro_rules! float {
                 self * divisor
             }
             fn root(self, part: u32) -> Self {
-                $pow(self, part as $f / 4_294_967_296.0)
+                $libm::pow(self, part as $f / 4_294_967_296.0)
             }
             fn quotient(self, divisor: Self) -> Self {
                 self / divisor
             }
+            fn arc_squared(self) -> Self {
+                let arc = $libm::asin($libm::sqrt(self));
+                arc * arc
+            }
+            fn positive(self) -> Self {
+                self.max(0.0)
+            }
             fn radical(a: Self, b: Self, minus: Self) -> Option<Self> {
                 // (a - m)(a + m) keeps the digits that a^2 - m^2 would cancel.
                 let square = (a - minus) * (a + minus) + b * b;
-                if square < 0.0 { None } else { Some($sqrt(square)) }
+                if square < 0.0 { None } else { Some($libm::sqrt(square)) }
+            }
+        }
+
+        impl Positive for $f {
+            type Unit = $f;
+            fn new(value: u64, exponent: i32) -> Self {
+                $libm::ldexp(value as $f, exponent)
+            }
+            fn plus(self, other: Self) -> Self {
+                self + other
+            }
+            fn times(self, other: Self) -> Self {
+                self * other
+            }
+            fn over(self, divisor: Self) -> Self {
+                self / divisor
+            }
+            fn root(self) -> Self {
+                $libm::sqrt(self)
+            }
+            fn unit(self) -> Self {
+                self
+            }
+            fn exp2_minus(self) -> Self {
+                $libm::exp2(-self)
+            }
+            fn shadow(self) -> Self {
+                $libm::FRAC_2_SQRT_PI / 4.0 * $libm::exp(-self * self) - 0.5 * self * $libm::erfc(self)
             }
         }
 
@@ -98,7 +147,10 @@ macro_rules! float {
                 if part == whole { 1.0 } else { part / whole }
             }
             fn sqrt(square: Self) -> Self {
-                if square > 0.0 { $sqrt(square) } else { 0.0 }
+                if square > 0.0 { $libm::sqrt(square) } else { 0.0 }
+            }
+            fn positive(self) -> Self {
+                self.max(0.0)
             }
             fn inverse(self) -> Self {
                 1.0 / self
@@ -186,7 +238,7 @@ macro_rules! float {
                 (direction * distance - self) * radius
             }
             fn normalize(self) -> Option<(Self, $f, $f)> {
-                let length = $sqrt(self.length_squared());
+                let length = $libm::sqrt(self.length_squared());
                 let inverse = 1.0 / length;
                 if inverse < <$f>::INFINITY { Some((self * inverse, length, inverse)) } else { None }
             }
@@ -227,12 +279,12 @@ macro_rules! float {
                 self + other * factor
             }
             fn normalize(self) -> Option<(Self, $f)> {
-                let inverse = 1.0 / $sqrt(self.length_squared());
+                let inverse = 1.0 / $libm::sqrt(self.length_squared());
                 if inverse < <$f>::INFINITY { Some((self * inverse, inverse)) } else { None }
             }
             // By itself, without the third square of the default.
             fn plan<S: Scalar<Unit = $f>>(self) -> Option<Plan<S>> {
-                let stretch = 1.0 / $sqrt(self.x * self.x + self.y * self.y);
+                let stretch = 1.0 / $libm::sqrt(self.x * self.x + self.y * self.y);
                 (stretch < <$f>::INFINITY).then(|| Plan { x: self.x * stretch, y: self.y * stretch, stretch })
             }
             fn reflect(self, normal: Self) -> Self {
@@ -243,15 +295,15 @@ macro_rules! float {
             }
             fn half_chord(self, radius: $f) -> Option<$f> {
                 let square = radius * radius - self.length_squared();
-                if square < 0.0 { None } else { Some($sqrt(square)) }
+                if square < 0.0 { None } else { Some($libm::sqrt(square)) }
             }
         }
     };
 }
 
-float!(f32, glam::Vec3, libm::sqrtf, libm::powf, i32, 1e18, size32);
+float!(f32, glam::Vec3, single, i32, 1e18, size32);
 #[cfg(feature = "f64")]
-float!(f64, glam::DVec3, libm::sqrt, libm::pow, i64, 1e150, size64);
+float!(f64, glam::DVec3, double, i64, 1e150, size64);
 
 /// Returns the size of an `f32`.
 const fn size32(value: f32) -> Magnitude {

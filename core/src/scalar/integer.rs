@@ -3,6 +3,7 @@
 #![allow(clippy::cast_possible_truncation)] // sizes are at the line
 
 pub use exponential::{exp2_minus, minus_log2};
+pub use rough::{arc_squared, shadow};
 
 /// A positive number `m / 2^(30 + e)`, `m` in [2^30, 2^31], as a reciprocal of an integer between 1 and 2^32.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -28,6 +29,7 @@ macro_rules! table {
 }
 
 mod exponential;
+mod rough;
 
 /// First guess of [`rsqrt`]: `2^14 / sqrt(i / 64)` for `i` in `16..=64`, at most 2^15.
 const GUESS: [u16; 49] = table!(49, i => ((64u64 << 28) / (i as u64 + 16)).isqrt() as u16);

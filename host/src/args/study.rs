@@ -160,3 +160,21 @@ pub struct DifferenceArgs {
     #[arg(short, long, value_name = "N", default_value_t = PixelsPerDegree::DEFAULT)]
     pub pixels_per_degree: PixelsPerDegree,
 }
+
+/// `rta values`.
+#[derive(Args, Debug)]
+pub struct ValuesArgs {
+    /// Text that states values, or - for standard input
+    #[arg(value_name = "FILE")]
+    pub text: PathBuf,
+    /// Number format
+    #[arg(short, long, value_parser = choice::format(), ignore_case = true, default_value_t = Format::F64)]
+    pub format: Format,
+    /// Error that a value may have, as a part of it [default: 1e-6 in f64, 1e-5 in f32, each function's own in fixed point]
+    #[arg(long, value_name = "T", value_parser = tolerance)]
+    pub tolerance: Option<f64>,
+}
+
+fn tolerance(text: &str) -> Result<f64, &'static str> {
+    text.parse().ok().filter(|t: &f64| t.is_finite() && *t >= 0.0).ok_or("expected a number of 0 or more")
+}

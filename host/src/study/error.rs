@@ -1,7 +1,9 @@
 //! The errors that end a study early.
 
+use std::io;
+
 use crate::engine::bands::BandsError;
-use crate::picture::error::PictureError;
+use crate::picture::error::{PictureError, reason};
 use crate::picture::raster::Size;
 use crate::request::error::RequestError;
 use crate::study::measure::MeasureError;
@@ -47,6 +49,39 @@ pub enum StudyError {
     /// Valgrind, the other ray tracer or the file of recorded instructions fails.
     #[error("{0}")]
     Bench(Box<dyn core::error::Error + Send + Sync>),
+    /// A text with stated values cannot be read.
+    #[error("cannot read the values in {name}: {}", reason(source))]
+    Text {
+        /// The file, or `standard input`.
+        name: String,
+        /// What the system says.
+        source: io::Error,
+    },
+    /// A value is stated of a function that is not known.
+    #[error("line {line}: there is no function {name}; there are {names}")]
+    Function {
+        /// Line of the text.
+        line: usize,
+        /// The name.
+        name: String,
+        /// Those that are known.
+        names: String,
+    },
+    /// A value is stated with too few or too many arguments.
+    #[error("line {line}: {name} has the arguments ({arguments}), found {found} numbers")]
+    Arguments {
+        /// Line of the text.
+        line: usize,
+        /// The function.
+        name: String,
+        /// Its arguments.
+        arguments: String,
+        /// How many there are in the text.
+        found: usize,
+    },
+    /// A stated value is off.
+    #[error("a value is off")]
+    Off,
     /// The report's tables or diagrams cannot be made.
     #[error("the report: {0}")]
     Report(Box<dyn core::error::Error + Send + Sync>),

@@ -101,7 +101,7 @@ fn glass<S: Narrow>(ks: f64, kt: f64, ior: f64) -> Glass<S> {
 /// Returns the nearest exponent of a highlight, with as many places as there is room for. What is sharper than the sharpest is a
 /// point in every format.
 #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // below 2^27
-fn exponent(value: f64) -> Exponent {
+pub fn exponent(value: f64) -> Exponent {
     let mantissa = |places: u32| (value * f64::from(1u32 << places)).round();
     let places = (0..32).rev().find(|&places| mantissa(places) < f64::from(1u32 << 27));
     Exponent::new(mantissa(places.unwrap_or(0)) as u32, places.unwrap_or(0))

@@ -1,7 +1,7 @@
 //! The number formats and their limits.
 
 use fixed::types::{I2F30, I16F16};
-use rta_core::scalar::{Light, Radiance};
+use rta_core::scalar::{Light, Magnitude, Radiance};
 use rta_core::{Q16, Q20, Scalar};
 
 use super::Narrow;
@@ -65,6 +65,10 @@ macro_rules! fixed_point {
             fn light_to_f64(light: Radiance) -> f64 {
                 light.0.to_num()
             }
+            fn power_to_f64(power: Magnitude) -> f64 {
+                let (mantissa, exponent) = power.parts();
+                f64::from(mantissa) * f64::from(exponent).exp2()
+            }
         }
     };
 }
@@ -105,6 +109,9 @@ macro_rules! float {
             }
             fn light_to_f64(light: Self) -> f64 {
                 light.into()
+            }
+            fn power_to_f64(power: Self) -> f64 {
+                power.into()
             }
         }
     };

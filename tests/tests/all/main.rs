@@ -33,3 +33,4 @@ mod solids;
 mod stability;
 mod stack;
 mod thin;
+mod values;

@@ -5,7 +5,7 @@ use fixed::types::{I2F30, I12F20, I16F16, I24F40, I32F32};
 use super::{LIGHT_BITS, Radiance, UNIT_BITS, normalize, radiance, round, saturate, word};
 use crate::scalar::integer::{self, Reciprocal, shift_right, shift_right_by, wide, wide_unsigned};
 use crate::scalar::vector::{LengthVector, Plan, Xyz};
-use crate::scalar::{Magnitude, Scalar};
+use crate::scalar::{Magnitude, Number, Scalar};
 
 /// How far a ray's origin is pushed off a surface at least, in LSBs of a length; see [`LengthVector::clearance`].
 ///
@@ -66,6 +66,9 @@ macro_rules! fixed_point {
             fn sqrt(square: Self::Wide) -> Self {
                 let root = integer::sqrt(u64::try_from(square.to_bits()).unwrap_or(0));
                 Self::from_bits(word(i64::from(root)))
+            }
+            fn positive(self) -> Magnitude {
+                if self < Self::ZERO { Magnitude::ZERO } else { self.size() }
             }
             #[cfg_attr(not(target_os = "none"), inline)]
             fn inverse(self) -> Reciprocal {

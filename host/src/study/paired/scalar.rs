@@ -1,6 +1,6 @@
 //! The arithmetic of both twins, each by its own rules.
 
-use rta_core::scalar::{Light, Magnitude, Number, Scalar, Unit};
+use rta_core::scalar::{Light, Magnitude, Number, Positive, Scalar, Unit};
 use rta_packets::ToF32;
 use rta_scenes::narrow::Narrow;
 
@@ -75,6 +75,9 @@ impl<S: Format> Scalar for Paired<S> {
         let twin = self.twin.stretch(slope.twin).clamp(-S::FARTHEST, S::FARTHEST);
         Self { format: self.format.stretch(slope.format), twin }.noted("stretch", [self.error()])
     }
+    fn positive(self) -> Self::Power {
+        Bare { format: self.format.positive(), twin: Scalar::positive(self.twin) }
+    }
     #[track_caller]
     fn over(self, slope: Self::Unit) -> Self {
         let twin = Scalar::over(self.twin, slope.twin).min(S::FARTHEST);
@@ -130,6 +133,7 @@ impl<S: Format> Scalar for Paired<S> {
 
 impl<U: UnitFormat> Unit for Paired<U> {
     type Inverse = Bare<U::Inverse>;
+    type Positive = Bare<U::Positive>;
     const ZERO: Self = Self { format: U::ZERO, twin: 0.0 };
     const ONE: Self = Self { format: U::ONE, twin: 1.0 };
     const LARGEST: Magnitude = U::LARGEST;
@@ -159,6 +163,14 @@ impl<U: UnitFormat> Unit for Paired<U> {
             .noted("root", [self.error()])
     }
     #[track_caller]
+    fn arc_squared(self) -> Self {
+        Self { format: self.format.arc_squared(), twin: self.twin.arc_squared() }
+            .noted("arc_squared", [self.error()])
+    }
+    fn positive(self) -> Self::Positive {
+        Bare { format: self.format.positive(), twin: Unit::positive(self.twin) }
+    }
+    #[track_caller]
     fn quotient(self, divisor: Self) -> Self {
         // Where the format saturates, so does the twin.
         let twin = (self.twin / divisor.twin).clamp(-2.0, 2.0);
@@ -172,6 +184,38 @@ impl<U: UnitFormat> Unit for Paired<U> {
         log::decision("radical", a.values(), minus.values(), format.is_some(), twin.is_some());
         let root = Self { format: format?, twin: twin.unwrap_or(0.0) };
         Some(root.noted("radical", [a.error(), b.error(), minus.error()]))
+    }
+}
+
+impl<P: Positive<Unit: UnitFormat>> Positive for Bare<P> {
+    type Unit = Paired<P::Unit>;
+    fn new(value: u64, exponent: i32) -> Self {
+        Self { format: P::new(value, exponent), twin: <f64 as Positive>::new(value, exponent) }
+    }
+    fn plus(self, other: Self) -> Self {
+        Self { format: self.format.plus(other.format), twin: self.twin + other.twin }
+    }
+    fn times(self, other: Self) -> Self {
+        Self { format: self.format.times(other.format), twin: self.twin * other.twin }
+    }
+    fn over(self, divisor: Self) -> Self {
+        Self { format: self.format.over(divisor.format), twin: self.twin / divisor.twin }
+    }
+    fn root(self) -> Self {
+        Self { format: self.format.root(), twin: self.twin.sqrt() }
+    }
+    #[track_caller]
+    fn unit(self) -> Self::Unit {
+        // Where the format saturates, so does the twin.
+        Paired { format: self.format.unit(), twin: self.twin.min(2.0) }.noted("unit", [])
+    }
+    #[track_caller]
+    fn exp2_minus(self) -> Self::Unit {
+        Paired { format: self.format.exp2_minus(), twin: self.twin.exp2_minus() }.noted("exp2_minus", [])
+    }
+    #[track_caller]
+    fn shadow(self) -> Self::Unit {
+        Paired { format: self.format.shadow(), twin: self.twin.shadow() }.noted("shadow", [])
     }
 }
 
@@ -225,6 +269,9 @@ impl<S: Format> Narrow for Paired<S> {
     }
     fn light_to_f64(light: Self::Light) -> f64 {
         S::light_to_f64(light.format)
+    }
+    fn power_to_f64(power: Self::Power) -> f64 {
+        S::power_to_f64(power.format)
     }
 }
 

@@ -1,0 +1,206 @@
+//! The functions of the illumination models against the values of their specification, in every format.
+
+use rta::engine::Format;
+use rta::values::{Comparison, compare, names, statements};
+use rta_tests::assert_close;
+
+/// The values of the specification, by its sections.
+const VALUES: &str = include_str!("../../models.md");
+
+/// The functions of the specification that are still to be written: air with a lamp in it, and wavelengths.
+const MISSING: &[&str] = &["airlight", "spectral", "sellmeier", "rocksalt", "ethanol", "cauchy"];
+
+/// Returns the values of functions that are there.
+fn known() -> String {
+    let missing = |name: &str| MISSING.contains(&name);
+    let lines = statements(VALUES).into_iter().filter(|stated| !missing(&stated.name));
+    lines.map(|stated| format!("{}({}) = {:e}\n", stated.name, stated.arguments, stated.value)).collect()
+}
+
+fn assert_all_agree(format: Format) {
+    let comparisons = compare(&known(), format, None).expect("all are known");
+    assert!(comparisons.len() > 170, "{} values", comparisons.len());
+    let off: Vec<&Comparison> = comparisons.iter().filter(|comparison| !comparison.agrees).collect();
+    assert!(off.is_empty(), "{format}: {off:#?}");
+}
+
+#[test]
+fn values_agree_in_f64() {
+    assert_all_agree(Format::F64);
+}
+
+#[test]
+fn values_agree_in_f32() {
+    assert_all_agree(Format::F32);
+}
+
+#[test]
+fn values_agree_in_q16() {
+    assert_all_agree(Format::Q16);
+}
+
+#[test]
+fn values_agree_in_q20() {
+    assert_all_agree(Format::Q20);
+}
+
+#[test]
+fn every_function_has_a_value_and_no_missing_one_is_there() {
+    let stated: Vec<String> = statements(VALUES).into_iter().map(|stated| stated.name).collect();
+    for name in names() {
+        assert!(stated.iter().any(|stated| stated == name), "{name} has no value");
+        assert!(!MISSING.contains(&name), "{name} is there");
+    }
+    for name in MISSING {
+        assert!(stated.iter().any(|stated| stated == name), "{name} is not in the specification");
+    }
+}
+
+#[test]
+fn a_wrong_value_is_off_and_a_wrong_name_is_an_error() {
+    let agrees = |text: &str, tolerance| {
+        let comparisons = compare(text, Format::F64, tolerance).expect("a known function");
+        comparisons.first().expect("one value").agrees
+    };
+    assert!(agrees("lambert(60) = .5", None));
+    assert!(!agrees("lambert(60) = .50001", None));
+    assert!(agrees("lambert(60) = .50001", Some(1e-3)));
+    // An integral has its own bound, whatever is asked for.
+    assert!(agrees("albedo(0,.3,1) = .9956", Some(0.0)));
+    let message = |text: &str| compare(text, Format::F64, None).expect_err("it is wrong").to_string();
+    let unknown = message("text\nfong(1) = 2");
+    assert!(unknown.starts_with("line 2: there is no function fong; there are lamp, "), "{unknown}");
+    assert_eq!(message("lambert(1,2) = 3"), "line 1: lambert has the arguments (tl), found 2 numbers");
+}
+
+/// Returns the value of a function in a format.
+fn value(format: Format, call: &str) -> f64 {
+    let comparisons = compare(&format!("{call} = 0"), format, None).expect("a known function");
+    comparisons.first().expect("one value").computed
+}
+
+#[test]
+fn mirrors_are_perfect_at_grazing_and_as_stated_at_right_angles() {
+    for format in [Format::F64, Format::Q16] {
+        for eta in [0.4, 0.66, 1.01, 1.33, 1.52, 2.417, 10.0] {
+            assert_close!(
+                value(format, &format!("fresnel({eta},90)")),
+                1.0,
+                1e-7,
+                "of the light",
+                "eta {eta}"
+            );
+            let (f0, straight) =
+                (value(format, &format!("f0({eta},0)")), value(format, &format!("fresnel({eta},0)")));
+            assert_close!(f0, straight, 1e-7, "of the light", "eta {eta}");
+            // Without absorption a metal is glass.
+            for angle in [0.0, 30.0, 70.0, 89.0] {
+                let metal = value(format, &format!("fresnel_k({eta},0,{angle})"));
+                let glass = value(format, &format!("fresnel({eta},{angle})"));
+                if eta > 1.0 {
+                    assert_close!(metal, glass, 1e-6, "of the light", "eta {eta}, {angle} degrees");
+                }
+            }
+        }
+        for k in [0.5, 2.0, 7.0] {
+            assert_close!(
+                value(format, &format!("fresnel_k(.6,{k},90)")),
+                1.0,
+                1e-7,
+                "of the light",
+                "k {k}"
+            );
+        }
+    }
+}
+
+#[test]
+fn both_sides_of_a_border_reflect_alike_along_one_ray() {
+    for angle in [0.0_f64, 10.0, 40.0, 75.0] {
+        let inside = (angle.to_radians().sin() / 1.52).asin().to_degrees();
+        let outer = value(Format::F64, &format!("fresnel(1.52,{angle})"));
+        let inner = value(Format::F64, &format!("fresnel({},{inside})", 1.0 / 1.52));
+        assert_close!(inner, outer, 1e-12, "of the light", "{angle} degrees");
+    }
+}
+
+#[test]
+fn indices_come_back_from_reflectances() {
+    for index in [1.000_1, 1.33, 2.4, 17.0] {
+        let f0 = value(Format::F64, &format!("f0({index},0)"));
+        let back = value(Format::F64, &format!("eta_of({f0:.17})"));
+        assert_close!(back, index, 1e-9 * index, "of an index", "{index}");
+    }
+}
+
+#[test]
+fn cook_torrance_is_reciprocal() {
+    for (light, view, around, m) in
+        [(10, 60, 140, 0.3), (45, 80, 180, 0.5), (5, 30, 20, 0.2), (70, 71, 170, 0.1)]
+    {
+        for name in ["ct", "ct_sancer"] {
+            let cosine = |degrees: i32| f64::from(degrees).to_radians().cos();
+            let one = value(Format::F64, &format!("{name}({light},{view},{around},{m},.5)")) / cosine(light);
+            let other = value(Format::F64, &format!("{name}({view},{light},{around},{m},.5)")) / cosine(view);
+            assert_close!(one, other, 1e-11 * one.max(1.0), "of the reflectance", "{light}, {view}");
+        }
+    }
+}
+
+#[test]
+fn rough_surfaces_return_no_more_than_they_get() {
+    for m in [0.1, 0.2, 0.3, 0.4, 0.6] {
+        for angle in [0, 45, 75, 88] {
+            for kind in [1, 2] {
+                let albedo = value(Format::F64, &format!("albedo({angle},{m},{kind})"));
+                assert!((0.5..=1.001).contains(&albedo), "m {m}, {angle} degrees, {kind}: {albedo}");
+            }
+        }
+    }
+}
+
+#[test]
+fn facets_cover_the_surface_once() {
+    for m in [0.05_f64, 0.2, 0.3, 0.6, 1.0] {
+        // 1/pi of the integral of D cos over the hemisphere, of which facets steeper than 6 m are less than 1e-15.
+        let steps = 4000;
+        let step = (6.0 * m).atan().to_degrees() / f64::from(steps);
+        let sum = (0..steps).map(|i| (f64::from(i) + 0.5) * step).map(|angle| {
+            let (sine, cosine) = angle.to_radians().sin_cos();
+            value(Format::F64, &format!("d_beckmann({m},{angle})")) * cosine * sine
+        });
+        assert_close!(2.0 * sum.sum::<f64>() * step.to_radians(), 1.0, 1e-6, "of the surface", "m {m}");
+    }
+}
+
+#[test]
+fn gloss_is_where_half_of_the_facets_are() {
+    for angle in [3.0, 10.0, 30.0] {
+        let of = |parameter: &str| value(Format::F64, &format!("{parameter}({angle})"));
+        let part = |name: &str, parameter: f64| {
+            let at = |angle: f64| value(Format::F64, &format!("{name}({parameter:.17},{angle})"));
+            at(angle) / at(0.0)
+        };
+        let parts = [
+            part("d_power", of("n_blinn")),
+            part("d_gauss", of("c_gauss")),
+            part("d_tr", of("c_tr")),
+            part("d_beckmann", of("m_beckmann")),
+        ];
+        for part in parts {
+            assert_close!(part, 0.5, 1e-6, "of the facets", "{angle} degrees");
+        }
+    }
+}
+
+#[test]
+fn scattered_light_is_all_there() {
+    for g in [-0.9, -0.3, 0.0, 0.6, 0.9] {
+        let steps = 4000;
+        let step = 180.0 / f64::from(steps);
+        let sum = (0..steps)
+            .map(|i| (f64::from(i) + 0.5) * step)
+            .map(|angle| value(Format::F64, &format!("phase({g},{angle})")) * angle.to_radians().sin());
+        assert_close!(sum.sum::<f64>() * step.to_radians() / 2.0, 1.0, 1e-5, "of the light", "g {g}");
+    }
+}
