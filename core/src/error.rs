@@ -15,6 +15,8 @@ pub enum Error {
     Radius(Object),
     /// A reflectance is below 0.
     Color(Object),
+    /// The number of a material is beyond the scene's list.
+    Material(Object),
     /// A node of a hierarchy is wrong: see [`Accelerator::check`](crate::accelerator::Accelerator::check).
     Hierarchy(usize),
     /// The recursion depth exceeds the capacity of the ray stack, or the weight of a ray may not fit the number format there.
@@ -39,7 +41,7 @@ impl Error {
         match *self {
             Self::Exceeds(Bound { object, other: Some(Cause::Object(other)), .. }) => [object, Some(other)],
             Self::Exceeds(Bound { object, .. }) => [object, None],
-            Self::Radius(object) | Self::Color(object) => [Some(object), None],
+            Self::Radius(object) | Self::Color(object) | Self::Material(object) => [Some(object), None],
             _ => [None; 2],
         }
     }
@@ -75,6 +77,9 @@ impl Error {
             }
             Self::Color(object) => {
                 write!(f, "{} has a colour with a negative register", named(Cause::Object(object)))
+            }
+            Self::Material(object) => {
+                write!(f, "{} has a material that the scene has not", named(Cause::Object(object)))
             }
             Self::Hierarchy(node) => {
                 write!(f, "node {node} of the hierarchy does not contain its objects, or leads nowhere")

@@ -1,6 +1,7 @@
 //! Lamps, and a lamp as seen from a point.
 
 use crate::color::Rgb;
+use crate::needs::Needs;
 use crate::scalar::vector::{LengthVector, UnitVec3, UnitVector, Vec3};
 use crate::scalar::{Light, Positive, Scalar, Unit};
 
@@ -17,15 +18,38 @@ pub struct Lamp<S: Scalar> {
     pub power: S::Power,
     /// Each register as a part of the strongest one, 0 to 1.
     pub tint: Rgb<S::Unit>,
-    /// Whether the intensity is made for light that is attenuated with the square of the distance. Where it is not, an
-    /// intensity above 1, such as the 40000 of the thesis's files, counts as 1.
-    pub square_law: bool,
+    /// Whether its light becomes less with the distance.
+    pub fall_off: FallOff,
+}
+
+/// How the light of a lamp depends on the distance.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum FallOff {
+    /// As the illumination model has it. Under a model of constant lamps an intensity above 1, such as the 40000 of the thesis's
+    /// files, counts as 1.
+    #[default]
+    OfModel,
+    /// It becomes less with the square of the distance, under every model.
+    Square,
+    /// It does not depend on the distance, under every model.
+    Constant,
+}
+
+impl FallOff {
+    /// Returns whether the light becomes less with the distance under a model whose lamps do so, or do not, by themselves.
+    pub const fn fades(self, of_model: bool) -> bool {
+        match self {
+            Self::OfModel => of_model,
+            Self::Square => true,
+            Self::Constant => false,
+        }
+    }
 }
 
 impl<S: Scalar> Lamp<S> {
-    /// Returns a lamp of the intensity `power` times `tint`, whose strongest register is 1, made for the square law.
+    /// Returns a lamp of the intensity `power` times `tint`, whose strongest register is 1, with the model's fall-off.
     pub fn new(position: Vec3<S>, radius: S, power: S::Power, tint: Rgb<S::Unit>) -> Self {
-        Self { position, radius, inverse_radius: radius.inverse(), power, tint, square_law: true }
+        Self { position, radius, inverse_radius: radius.inverse(), power, tint, fall_off: FallOff::OfModel }
     }
 
     /// Returns a white lamp of a whole-numbered intensity: the irradiance at distance 1.
@@ -73,10 +97,15 @@ impl<'a, S: Scalar> Incident<'a, S> {
         S::intensity(self.lamp.power)
     }
 
-    /// Returns the intensity for a model that attenuates no lamp: of a lamp that is made for the square law at most 1.
-    pub fn unattenuated(&self) -> S::Light {
+    /// Returns the light of the strongest register on a surface that faces the lamp. `fades` tells whether the model's lamps become
+    /// less with the distance where they do not say it themselves.
+    pub fn light<N: Needs>(&self, fades: bool) -> S::Light {
+        if N::ATTENUATION && (!N::SEVERAL_FALL_OFFS || self.lamp.fall_off.fades(fades)) {
+            return self.irradiance();
+        }
         let intensity = self.intensity();
-        if self.lamp.square_law && intensity > S::Light::WHITE { S::Light::WHITE } else { intensity }
+        let is_cut = !fades && self.lamp.fall_off == FallOff::OfModel && intensity > S::Light::WHITE;
+        if is_cut { S::Light::WHITE } else { intensity }
     }
 
     /// Returns the light that a surface with the reflectance `reflectance` sends back of a spherical lamp, rounded once; saturates.

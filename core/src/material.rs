@@ -22,10 +22,15 @@ pub enum Material<S: Scalar> {
 /// Coefficients of a surface. They need not add up to 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Finish<S: Scalar> {
+    /// Coefficient of ambient light, 0 or more; usually kd.
+    pub ka: S::Unit,
     /// Diffuse coefficient, 0 or more.
     pub kd: S::Unit,
     /// Exponent of the highlight, a real number: the larger the exponent, the smaller the highlight.
     pub exponent: Exponent,
+    /// The exponent for highlights around the reflected ray, for Phong's model: the same, unless the size of highlights is given as
+    /// an angle.
+    pub reflected: Exponent,
     /// Reflection, whose `ks` weighs highlights too, and transmission; a `kt` of 0 makes the surface opaque.
     pub glass: Glass<S>,
 }

@@ -79,6 +79,8 @@ needs! {
     SEVERAL_LAMPS several_lamps,
     /// Light that is attenuated with the distance to the lamp.
     ATTENUATION attenuation,
+    /// Besides lamps whose light is attenuated, others whose light is not.
+    SEVERAL_FALL_OFFS several_fall_offs,
     /// Shadows.
     SHADOWS shadows,
     /// Transparent objects let part of the light through into their shadow.

@@ -28,7 +28,7 @@ pub use crate::quantity::{Bound, Cause, Quantity};
 use crate::ray::Ray;
 use crate::scalar::vector::{UnitVec3, Vec3, Vector};
 use crate::scalar::{Light, Magnitude, Number, Scalar, Unit};
-use crate::scene::{Hit, Limits, Object, Scene};
+use crate::scene::{Hit, Limits, Object, PLAIN, Scene};
 use crate::world::World;
 
 mod extent;
@@ -159,10 +159,10 @@ impl<'a, S: Scalar> Scene<'a, S> {
     }
 
     /// Calls `see` with every surface, its colour and material; twice with the floor, which has two colours.
-    fn surfaces(&self, mut see: impl FnMut(Object, Rgb<S::Unit>, &Material<S>)) {
-        self.looks(|object, look| see(object, look.color, look.material));
-        for color in self.floor.iter().flat_map(|floor| floor.colors) {
-            see(Object::Floor, color, &Material::Opaque);
+    pub fn surfaces(&self, mut see: impl FnMut(Object, Rgb<S::Unit>, &Material<S>)) {
+        self.looks(|object, look| see(object, look.color, self.material(look.material)));
+        if let Some(floor) = &self.floor {
+            floor.colors.iter().for_each(|color| see(Object::Floor, *color, self.material(floor.material)));
         }
     }
 
@@ -197,6 +197,14 @@ impl<'a, S: Scalar> Scene<'a, S> {
 
     fn check_signs(&self) -> Result<(), Error> {
         let mut first = Ok(());
+        let numbers = self.floor.iter().map(|floor| (Object::Floor, floor.material));
+        let mut check = |object, number: u16| {
+            if first.is_ok() && number != PLAIN && usize::from(number) >= self.materials.len() {
+                first = Err(Error::Material(object));
+            }
+        };
+        self.looks(|object, look| check(object, look.material));
+        numbers.for_each(|(object, number)| check(object, number));
         self.solids(|object, _, radius, least| {
             let is_lamp = matches!(object, Object::Lamp(_));
             if first.is_ok() && !(least > S::ZERO || (is_lamp && radius == S::ZERO)) {

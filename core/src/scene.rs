@@ -8,6 +8,7 @@ use core::ops::ControlFlow;
 
 use crate::color::Rgb;
 use crate::light::Lamp;
+use crate::material::Material;
 use crate::needs::{Needs, Used};
 use crate::ray::Ray;
 use crate::scalar::vector::{UnitVec3, Vector};
@@ -71,6 +72,8 @@ macro_rules! lists {
             $($(#[doc = $doc])+ pub $list: &'a [$Kind<S>],)+
             /// Lamps.
             pub lamps: &'a [Lamp<S>],
+            /// Materials, to which the objects refer by number.
+            pub materials: &'a [Material<S>],
             /// The floor, if there is one.
             pub floor: Option<Floor<S>>,
             /// The light of rays that meet nothing.
@@ -82,7 +85,7 @@ macro_rules! lists {
         impl<'a, S: Scalar> Scene<'a, S> {
             /// Returns a scene of sky and ambient light, without objects, floor and lamps.
             pub const fn empty(sky: Sky<S>, ambient: Rgb<S::Light>) -> Self {
-                Scene { $($list: &[],)+ lamps: &[], floor: None, sky, ambient }
+                Scene { $($list: &[],)+ lamps: &[], materials: &[], floor: None, sky, ambient }
             }
 
             /// Passes all lists of primitives that `N` compiles in to `visit`, in order of [`Object`]; floor and lamps are not
@@ -111,7 +114,7 @@ macro_rules! lists {
                 object: Object,
                 ray: &Ray<S>,
                 t: S,
-            ) -> Option<(SurfacePoint<S>, Look<'a, S>)> {
+            ) -> Option<(SurfacePoint<S>, Look<S>)> {
                 match object {
                     $(Object::$Kind(i) if N::$NEED => {
                         self.$list.get(index(i)).map(|object| (object.point::<N>(ray, t), object.look()))
@@ -121,7 +124,7 @@ macro_rules! lists {
             }
 
             /// Returns an object's look; `None` for floor, lamps and numbers beyond the list.
-            pub fn look<N: Needs>(&self, object: Object) -> Option<Look<'a, S>> {
+            pub fn look<N: Needs>(&self, object: Object) -> Option<Look<S>> {
                 match object {
                     $(Object::$Kind(i) if N::$NEED => self.$list.get(index(i)).map(Primitive::look),)+
                     _ => None,
@@ -137,7 +140,7 @@ macro_rules! lists {
             }
 
             /// Calls `see` with each object of the lists and its look, in order of [`Object`]; floor and lamps are left out.
-            pub fn looks(&self, mut see: impl FnMut(Object, Look<'a, S>)) {
+            pub fn looks(&self, mut see: impl FnMut(Object, Look<S>)) {
                 $((0..).zip(self.$list).for_each(|(i, object)| see(Object::$Kind(i), object.look()));)+
             }
 
@@ -163,6 +166,9 @@ lists! {
     /// Infinite planes.
     planes: Plane if PLANES, "plane";
 }
+
+/// The number of a diffuse material that every scene has without a list.
+pub const PLAIN: u16 = u16::MAX;
 
 /// The nearest hit of a ray.
 #[derive(Clone, Copy, Debug)]
@@ -208,7 +214,13 @@ impl<S: Scalar> Sky<S> {
     }
 }
 
-impl<S: Scalar> Scene<'_, S> {
+impl<'a, S: Scalar> Scene<'a, S> {
+    /// Returns a material by its number; a diffuse one for [`PLAIN`] and for a number beyond the list, with which no scene is
+    /// admitted.
+    pub fn material(&self, number: u16) -> &'a Material<S> {
+        self.materials.get(usize::from(number)).unwrap_or(&Material::Opaque)
+    }
+
     /// Returns an empty chequered floor under a blue sky by day, with ambient light and no lamp.
     pub fn day() -> Self {
         let unit = |n| S::Unit::ratio(n, 100);
@@ -216,6 +228,7 @@ impl<S: Scalar> Scene<'_, S> {
         let sky = Sky { horizon: light(75, 82, 95), zenith: light(10, 22, 60) };
         let floor = Floor {
             colors: [Rgb::new(unit(85), unit(85), unit(80)), Rgb::new(unit(15), unit(17), unit(25))],
+            material: PLAIN,
         };
         Scene { floor: Some(floor), ..Scene::empty(sky, light(30, 30, 32)) }
     }

@@ -24,7 +24,6 @@ pub use sphere::Sphere;
 pub use triangle::Triangle;
 
 use crate::color::Rgb;
-use crate::material::Material;
 use crate::needs::Needs;
 use crate::ray::Ray;
 use crate::scalar::Scalar;
@@ -42,7 +41,7 @@ pub trait Primitive<S: Scalar> {
     fn point<N: Needs>(&self, ray: &Ray<S>, t: S) -> SurfacePoint<S>;
 
     /// Returns the object's colour, material and bounding sphere.
-    fn look(&self) -> Look<'_, S>;
+    fn look(&self) -> Look<S>;
 
     /// Returns the unit normal of a flat object whose [`SurfacePoint::normal`] is interpolated; `None` for others.
     fn face(&self) -> Option<UnitVec3<S>> {
@@ -63,11 +62,11 @@ pub struct SurfacePoint<S: Scalar> {
 
 /// An object's colour, material and bounding sphere.
 #[derive(Clone, Copy, Debug)]
-pub struct Look<'a, S: Scalar> {
+pub struct Look<S: Scalar> {
     /// Reflectance of the surface.
     pub color: Rgb<S::Unit>,
-    /// What the surface does with light.
-    pub material: &'a Material<S>,
+    /// Number of its material in the scene's list, from 0.
+    pub material: u16,
     /// Size of the object, from which [`clearance`](crate::scalar::vector::LengthVector::clearance) is computed.
     pub extent: S,
     /// A place of the object, its centre where it has one.

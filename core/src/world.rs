@@ -1,7 +1,6 @@
 //! A scene with its limits: what is seen along a ray.
 
 use crate::color::Rgb;
-use crate::material::Material;
 use crate::needs::Needs;
 use crate::ray::Ray;
 use crate::scalar::vector::{UnitVec3, UnitVector, Vec3};
@@ -60,7 +59,7 @@ impl<'a, S: Scalar> World<'a, S> {
         let found = hit.and_then(|Hit { distance, object }| match object {
             Object::Floor if N::FLOOR => self.scene.floor.as_ref().map(|floor| {
                 let (point, color) = floor.point(ray, distance, self.limits.floor_end);
-                (point, color, &Material::Opaque, S::ZERO, None)
+                (point, color, floor.material, S::ZERO, None)
             }),
             _ => self.scene.point::<N>(object, ray, distance).map(|(point, look)| {
                 let Look { color, material, extent, .. } = look;
@@ -68,7 +67,7 @@ impl<'a, S: Scalar> World<'a, S> {
                 (point, color, material, extent, face)
             }),
         });
-        let Some((spot, color, material, extent, face)) = found else {
+        let Some((spot, color, number, extent, face)) = found else {
             return Seen::Light(self.scene.sky.radiance::<N>(ray.direction));
         };
         let SurfacePoint { distance, point, normal } = spot;
@@ -77,6 +76,18 @@ impl<'a, S: Scalar> World<'a, S> {
         // It is on the same side of the ray.
         let face = face.map(|face| if inside { -face } else { face });
         let incoming = ray.direction;
-        Seen::Surface(Surface { point, normal, face, incoming, distance, inside, extent, color, material })
+        let material = self.scene.material(number);
+        Seen::Surface(Surface {
+            point,
+            normal,
+            face,
+            incoming,
+            distance,
+            inside,
+            extent,
+            color,
+            material,
+            number,
+        })
     }
 }

@@ -25,7 +25,9 @@
 
 use core::fmt::{self, Display};
 
-use crate::description::{Camera, Cylinder, Description, Ellipsoid, Floor, Lamp, Sky, Sphere, Surface};
+use crate::description::{
+    Camera, Cylinder, Description, Ellipsoid, FallOff, Floor, Lamp, Sky, Sphere, Surface,
+};
 use crate::error::{Entry, Found, SceneError};
 use crate::numbers::{AXES, Numbers, Range, Short};
 use crate::tokens::Tokens;
@@ -103,13 +105,14 @@ impl Reader<'_> {
             let (line, position) = reader.place_of(which)?;
             let color = reader.tokens.color(format_args!("the colour of {which}"))?;
             let radius = reader.tokens.number(format_args!("the radius of {which}"), Range::NotNegative)?;
-            Ok(Lamp { position, color, radius, line })
+            Ok(Lamp { position, color, radius, fall_off: FallOff::OfModel, line })
         })?;
         let floor = Some(Floor {
             colors: [
                 self.reflectance("the first floor colour", BRIGHT_FLOOR)?,
                 self.reflectance("the second floor colour", BRIGHT_FLOOR)?,
             ],
+            surface: Surface::Opaque,
         });
         let ambient = self.tokens.color("the ambient light")?;
         let sky = Sky {

@@ -7,6 +7,13 @@
 use crate::space::unit;
 use crate::warning::Warning;
 
+mod material;
+
+pub use rta_core::light::FallOff;
+
+pub use crate::model::Model;
+pub use material::{Coefficients, Dispersion, Edge, Kind, Material, Slope};
+
 /// A whole scene.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Description {
@@ -26,6 +33,8 @@ pub struct Description {
     pub planes: Vec<Plane>,
     /// Lamps.
     pub lamps: Vec<Lamp>,
+    /// Materials with names, to which objects refer by number.
+    pub materials: Vec<Material>,
     /// The chequered floor z = 0; the thesis's files always have one.
     pub floor: Option<Floor>,
     /// Ambient light, linear RGB, each at least 0.
@@ -38,16 +47,6 @@ pub struct Description {
     pub raster: Option<[u32; 2]>,
     /// What the reader has to say about the file.
     pub warnings: Vec<Warning>,
-}
-
-/// The illumination model that a scene was made for.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Model {
-    /// The thesis's, with lamps that are attenuated.
-    #[default]
-    Rta,
-    /// Phong's highlights, and lamps that are not attenuated.
-    Phong,
 }
 
 /// The pinhole camera. One side of its image plane is 1 unit long.
@@ -92,7 +91,7 @@ impl Camera {
     }
 }
 
-/// What a surface is made of: the thesis's types 0 to 3.
+/// What a surface is made of: one of the thesis's types 0 to 3, coefficients of its own, or a material with a name.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Surface {
     /// Type 0: diffuse.
@@ -123,6 +122,8 @@ pub enum Surface {
         /// Index of refraction of the inside with respect to the outside, above 0.
         ior: f64,
     },
+    /// Of a material in [`Description::materials`], by its number there, from 0.
+    Of(u16),
 }
 
 /// An infinite cylinder parallel to z.
@@ -232,10 +233,12 @@ pub struct Plane {
 pub struct Lamp {
     /// Centre, from where it shines.
     pub position: [f64; 3],
-    /// Intensity, linear RGB, each at least 0. It falls with the square of the distance, so 40000 is usual.
+    /// Intensity, linear RGB, each at least 0. Where it falls with the square of the distance, 40000 is usual.
     pub color: [f64; 3],
     /// Radius of the sphere that is seen; 0 is a lamp that shines unseen.
     pub radius: f64,
+    /// Whether the light becomes less with the distance.
+    pub fall_off: FallOff,
     /// Line of the source where it begins, from 1; 0 if it has none.
     pub line: u32,
 }
@@ -245,6 +248,8 @@ pub struct Lamp {
 pub struct Floor {
     /// Colours, linear RGB, each at least 0: of the tile that begins at the origin, and of its neighbours.
     pub colors: [[f64; 3]; 2],
+    /// Its material.
+    pub surface: Surface,
 }
 
 /// The sky, which goes from one colour to the other with the square of the sine of the elevation.
@@ -269,6 +274,7 @@ impl Description {
             triangles: Vec::new(),
             planes: Vec::new(),
             lamps: Vec::new(),
+            materials: Vec::new(),
             floor: None,
             ambient: [0.0; 3],
             sky: Sky { horizon: [0.0; 3], zenith: [0.0; 3] },

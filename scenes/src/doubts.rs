@@ -1,6 +1,6 @@
 //! What makes the picture of a sound scene black.
 
-use crate::description::{Description, Surface, Triangle};
+use crate::description::{Description, Material, Surface, Triangle};
 use crate::space::{Triple, cross, difference, dot, length};
 use crate::warning::Warning;
 
@@ -8,7 +8,8 @@ impl Description {
     /// Adds warnings about what makes a picture black for no reason that can be seen in it: no light, and an observer inside
     /// of an object.
     pub(crate) fn look_over(&mut self) {
-        let mut add = |text| self.warnings.push(Warning { line: 0, text });
+        let warnings = &mut self.warnings;
+        let mut add = |text| warnings.push(Warning { line: 0, text });
         let is_dark = |color: &Triple| color.iter().all(|register| *register == 0.0);
         if self.lamps.iter().all(|lamp| is_dark(&lamp.color)) && is_dark(&self.ambient) {
             add("the scene has no light: what does not mirror its background is black".into());
@@ -23,10 +24,9 @@ impl Description {
             let text = "all polygons turn their invisible side to the observer".into();
             self.warnings.push(Warning { line: 0, text });
         }
-        let is_clear = |surface: &Surface| match *surface {
-            Surface::Transparent { kt, .. } | Surface::Finish { kt, .. } => kt > 0.0,
-            Surface::Opaque | Surface::Shiny | Surface::Mirror => false,
-        };
+        let materials = &self.materials;
+        let is_clear =
+            |surface: &Surface| Material::of(surface, materials).transmit.is_some_and(|kt| kt > 0.0);
         let spheres = self.spheres.iter().filter(|sphere| !is_clear(&sphere.surface));
         let spheres = spheres.map(|s| ("sphere", s.position, [s.radius; 3], s.line));
         let ellipsoids = self

@@ -73,10 +73,10 @@ impl Description {
         for plane in &mut self.planes {
             scale(&mut plane.point);
         }
-        for Lamp { position, color, radius, .. } in &mut self.lamps {
+        for Lamp { position, color, radius, fall_off, .. } in &mut self.lamps {
             scale(position);
             *radius *= factor;
-            if self.model == Model::Rta {
+            if fall_off.fades(self.model.is_attenuated()) {
                 color.iter_mut().for_each(|register| *register *= factor * factor);
             }
         }
@@ -102,7 +102,7 @@ pub enum Fitted {
     Never,
 }
 
-/// Returns what a scale does for a scene in a number format, whose lamps are attenuated if the model is [`Model::Rta`]. A format
+/// Returns what a scale does for a scene in a number format, drawn with a model. A format
 /// of floating-point numbers has as many digits at each scale: there a scene is scaled only if it is not admitted as it is.
 /// `is_admitted` is whether it is, and `admits` tells that of others.
 ///
@@ -169,8 +169,9 @@ fn longest(bounds: &Bounds) -> f64 {
 fn most<S: Narrow>(scene: &Description, model: Model) -> i32 {
     let extent = extent(scene);
     let by_place = (0.75 * S::largest() / longest(&extent)).min(S::largest() / extent.largest());
-    let strongest = scene.lamps.iter().flat_map(|lamp| lamp.color).fold(0.0, f64::max);
-    let by_light = if model == Model::Rta { (S::LARGEST_POWER / strongest).sqrt() } else { f64::INFINITY };
+    let fading = scene.lamps.iter().filter(|lamp| lamp.fall_off.fades(model.is_attenuated()));
+    let strongest = fading.flat_map(|lamp| lamp.color).fold(0.0, f64::max);
+    let by_light = (S::LARGEST_POWER / strongest).sqrt(); // infinite, if none fades
     // More is of no use for numbers that are as good as 0, or 0 themselves.
     by_place.min(by_light).log2().floor().clamp(-500.0, 500.0) as i32
 }

@@ -3,11 +3,12 @@
 use core::fmt;
 
 use rta_core::illumination::Illumination;
+use rta_core::light::Lamp;
 use rta_core::needs::Used;
 use rta_core::scalar::Scalar;
 use rta_core::scene::Scene;
 
-use crate::{description, used};
+use crate::used;
 
 /// Makes the type and the dispatch from the list. `$d` is a dollar sign, for the macro that this one defines.
 macro_rules! models {
@@ -74,15 +75,6 @@ impl fmt::Display for Model {
     }
 }
 
-impl From<description::Model> for Model {
-    fn from(model: description::Model) -> Self {
-        match model {
-            description::Model::Rta => Self::Rta,
-            description::Model::Phong => Self::Phong,
-        }
-    }
-}
-
 /// The constants of [`Illumination`] on which the needs of a scene depend. They do not depend on the number format.
 #[derive(Clone, Copy, PartialEq, Eq)]
 struct Traits {
@@ -113,7 +105,10 @@ impl Model {
     pub fn used<S: Scalar>(self, scene: &Scene<S>) -> Used {
         let Traits { specular, attenuation } = self.traits();
         let used = used::by(scene, specular);
-        Used { attenuation: used.lamps && attenuation, ..used }
+        let fades = |lamp: &Lamp<S>| lamp.fall_off.fades(attenuation);
+        let attenuation = used.lamps && scene.lamps.iter().any(fades);
+        let several_fall_offs = attenuation && !scene.lamps.iter().all(fades);
+        Used { attenuation, several_fall_offs, ..used }
     }
 
     /// Returns the name that a baked scene bears: that of the first model which uses the same of every scene. The scene serves

@@ -4,23 +4,26 @@ use rta_core::Scalar;
 use rta_core::camera::{Camera, Lens};
 use rta_core::color::Rgb;
 use rta_core::light::Lamp;
+use rta_core::material::Material;
 use rta_core::scene::{Scene, Sky};
 use rta_core::shape::{Cone, Cylinder, Ellipsoid, Floor, Plane, Sphere, Triangle};
 use rta_core::vector::Vector;
 
-use crate::description::{self, Description, Model, Side};
+use crate::description::{self, Description, Side};
 use crate::space::{cross, unit};
 
 mod check;
 mod cone;
 mod error;
 mod formats;
+mod materials;
 mod plane;
 pub mod triangle;
 
 use check::Checker;
 pub use check::exponent;
 pub use error::NarrowError;
+use materials::Materials;
 
 /// A number format that descriptions can be narrowed to.
 pub trait Narrow: Scalar {
@@ -73,6 +76,10 @@ pub struct Narrowed<S: Scalar> {
     pub planes: Vec<Plane<S>>,
     /// Lamps.
     pub lamps: Vec<Lamp<S>>,
+    /// Materials, in the order of the numbers by which the objects refer to them.
+    pub materials: Vec<Material<S>>,
+    /// What the scene says of each of the materials, for models that have parameters of their own.
+    pub said: Vec<description::Material>,
     /// The floor.
     pub floor: Option<Floor<S>>,
     /// The sky.
@@ -92,6 +99,7 @@ impl<S: Scalar> Narrowed<S> {
             triangles: &self.triangles,
             planes: &self.planes,
             lamps: &self.lamps,
+            materials: &self.materials,
             floor: self.floor,
             sky: self.sky,
             ambient: self.ambient,
@@ -122,8 +130,8 @@ fn camera<S: Narrow>(camera: &description::Camera, aspect: f64) -> Result<Camera
     Ok(Camera::new(eye, vector(forward, 1.0), Lens { focal, width, height }))
 }
 
-fn lamp<S: Narrow>(index: usize, lamp: &description::Lamp, square_law: bool) -> Result<Lamp<S>, NarrowError> {
-    let check = Checker::<S>::new("lamp", index, lamp.line);
+fn lamp<S: Narrow>(index: usize, lamp: &description::Lamp) -> Result<Lamp<S>, NarrowError> {
+    let (check, fall_off) = (Checker::<S>::new("lamp", index, lamp.line), lamp.fall_off);
     let position = check.place(lamp.position, lamp.radius)?;
     let radius = if lamp.radius == 0.0 { S::ZERO } else { check.radius(lamp.radius)? };
     let strongest = lamp.color.iter().fold(0.0f64, |most, &register| most.max(register));
@@ -131,7 +139,7 @@ fn lamp<S: Narrow>(index: usize, lamp: &description::Lamp, square_law: bool) -> 
     let [r, g, b] =
         lamp.color.map(|register| S::unit(if strongest > 0.0 { register / strongest } else { 0.0 }));
     let lamp = Lamp::new(position, radius, <S as Narrow>::power(strongest), Rgb::new(r, g, b));
-    Ok(Lamp { square_law, ..lamp })
+    Ok(Lamp { fall_off, ..lamp })
 }
 
 /// Brings a description into the number format `S`, for a screen of the shape `aspect : 1`.
@@ -139,6 +147,7 @@ fn lamp<S: Narrow>(index: usize, lamp: &description::Lamp, square_law: bool) -> 
 /// # Errors
 /// The first thing that the format cannot hold, with its size and the limit.
 pub fn narrow<S: Narrow>(description: &Description, aspect: f64) -> Result<Narrowed<S>, NarrowError> {
+    let mut materials = Materials::<S>::new(&description.materials);
     let mut cylinders = Vec::with_capacity(description.cylinders.len());
     for (i, c) in description.cylinders.iter().enumerate() {
         let check = Checker::<S>::new("cylinder", i, c.line);
@@ -148,7 +157,7 @@ pub fn narrow<S: Narrow>(description: &Description, aspect: f64) -> Result<Narro
             place,
             radius,
             check.color("a colour's register", c.color)?,
-            check.material(&c.surface)?,
+            materials.number(&check, &c.surface)?,
         ));
     }
     let mut ellipsoids = Vec::with_capacity(description.ellipsoids.len());
@@ -159,7 +168,8 @@ pub fn narrow<S: Narrow>(description: &Description, aspect: f64) -> Result<Narro
         let [x, y, z] = e.radii;
         let radii = Vector::new(check.radius(x)?, check.radius(y)?, check.radius(z)?);
         let color = check.color("a colour's register", e.color)?;
-        let mut ellipsoid = Ellipsoid::new(place, radii, color, check.material(&e.surface)?);
+        let material = materials.number(&check, &e.surface)?;
+        let mut ellipsoid = Ellipsoid::new(place, radii, color, material);
         // The ratios once more, from the numbers of the file: a thin radius has few digits in the format.
         let thinnest = x.min(y).min(z);
         let [a, b, c] = e.radii.map(|radius| S::unit(thinnest / radius));
@@ -176,18 +186,26 @@ pub fn narrow<S: Narrow>(description: &Description, aspect: f64) -> Result<Narro
             place,
             radius,
             check.color("a colour's register", s.color)?,
-            check.material(&s.surface)?,
+            materials.number(&check, &s.surface)?,
         ));
     }
-    let cones = description.cones.iter().enumerate().map(|(i, c)| cone::narrow(i, c));
+    let cones = description.cones.iter().enumerate().map(|(i, c)| {
+        let check = Checker::new("cone", i, c.line);
+        Ok(Cone { material: materials.number(&check, &c.surface)?, ..cone::narrow(i, c)? })
+    });
     let cones = cones.collect::<Result<Vec<_>, _>>()?;
-    let triangles = description.triangles.iter().enumerate().map(|(i, t)| triangle::narrow(i, t));
+    let triangles = description.triangles.iter().enumerate().map(|(i, t)| {
+        let check = Checker::new("triangle", i, t.line);
+        Ok(Triangle { material: materials.number(&check, &t.surface)?, ..triangle::narrow(i, t)? })
+    });
     let triangles = triangles.collect::<Result<Vec<_>, _>>()?;
     let eye = description.camera.eye;
-    let planes = description.planes.iter().enumerate().map(|(i, p)| plane::narrow(i, p, eye));
+    let planes = description.planes.iter().enumerate().map(|(i, p)| {
+        let check = Checker::new("plane", i, p.line);
+        Ok(Plane { material: materials.number(&check, &p.surface)?, ..plane::narrow(i, p, eye)? })
+    });
     let planes = planes.collect::<Result<Vec<_>, _>>()?;
-    let square_law = description.model == Model::Rta;
-    let lamps = description.lamps.iter().enumerate().map(|(i, l)| lamp(i, l, square_law));
+    let lamps = description.lamps.iter().enumerate().map(|(i, l)| lamp(i, l));
     let lamps = lamps.collect::<Result<Vec<_>, _>>()?;
     let floor = match &description.floor {
         None => None,
@@ -196,6 +214,7 @@ pub fn narrow<S: Narrow>(description: &Description, aspect: f64) -> Result<Narro
             let [even, odd] = floor.colors;
             Some(Floor {
                 colors: [check.color("a colour's register", even)?, check.color("a colour's register", odd)?],
+                material: materials.number(&check, &floor.surface)?,
             })
         }
     };
@@ -208,6 +227,8 @@ pub fn narrow<S: Narrow>(description: &Description, aspect: f64) -> Result<Narro
         triangles,
         planes,
         lamps,
+        materials: materials.narrowed,
+        said: materials.said,
         floor,
         sky: Sky {
             horizon: Checker::<S>::named("the horizon").light(description.sky.horizon)?,

@@ -47,7 +47,7 @@
 //!   nothing and are passed over silently. Other unknown lines are errors, unless the reader is
 //!   [lenient](Reading::lenient).
 
-use crate::description::{Camera, Description, Lamp, Model, Sky, Surface};
+use crate::description::{Camera, Description, FallOff, Lamp, Model, Sky, Surface};
 use crate::error::{Entry, Found, SceneError};
 use crate::reading::Reading;
 use crate::space::Triple;
@@ -230,7 +230,13 @@ impl Reader<'_> {
         let share = 1.0 / (lights.len().max(1) as f64).sqrt();
         let lamp = |light: Light| {
             let color = light.color(share, &areas, at);
-            Lamp { position: light.position, color, radius: 0.0, line: light.line }
+            Lamp {
+                position: light.position,
+                color,
+                radius: 0.0,
+                fall_off: FallOff::Constant,
+                line: light.line,
+            }
         };
         scene.lamps = lights.into_iter().map(lamp).collect();
         // Lists of unknown length have grown to up to twice of it.

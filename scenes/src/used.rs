@@ -11,15 +11,15 @@ pub fn by<S: Scalar>(scene: &Scene<S>, specular: bool) -> Used {
     let mut used = scene.kinds();
     let has_objects = used != Used::default();
     used.normals = scene.triangles.iter().any(|triangle| triangle.normals.is_some());
-    let (mut shiny, mut mirror, mut diffuse) = (false, false, scene.floor.is_some());
-    scene.looks(|_, look| match look.material {
+    let (mut shiny, mut mirror, mut diffuse) = (false, false, false);
+    scene.surfaces(|_, _, material| match material {
         Material::Opaque => diffuse = true,
         Material::Shiny => (shiny, diffuse) = (true, true),
         Material::Mirror => mirror = true,
         Material::Transparent(_) => used.glass = true,
         Material::Finish(Finish { kd, glass, .. }) => {
             used.finish = true;
-            used.glass |= look.material.glass::<Everything>().is_some();
+            used.glass |= material.glass::<Everything>().is_some();
             mirror |= glass.ks > S::Unit::ZERO;
             shiny |= specular && glass.ks > S::Unit::ZERO;
             diffuse |= *kd > S::Unit::ZERO;

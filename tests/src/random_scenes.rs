@@ -5,7 +5,9 @@
 
 use core::f64::consts::TAU;
 
-use rta_scenes::description::{Camera, Cylinder, Description, Ellipsoid, Floor, Lamp, Sky, Sphere, Surface};
+use rta_scenes::description::{
+    Camera, Cylinder, Description, Ellipsoid, FallOff, Floor, Lamp, Sky, Sphere, Surface,
+};
 
 mod in_glass;
 #[cfg(test)]
@@ -207,7 +209,7 @@ fn ground(eye: [f64; 3], view: [f64; 3]) -> Description {
             lamp([-9.0, -14.0, 13.0], [180.0, 175.0, 160.0], 0.8),
             lamp([10.0, -6.0, 9.0], [40.0, 45.0, 60.0], 0.5),
         ],
-        floor: Some(Floor { colors: [[0.85, 0.8, 0.7], [0.2, 0.25, 0.35]] }),
+        floor: Some(Floor { colors: [[0.85, 0.8, 0.7], [0.2, 0.25, 0.35]], surface: Surface::Opaque }),
         ambient: [0.3, 0.3, 0.32],
         sky: Sky { horizon: [0.75, 0.8, 0.9], zenith: [0.15, 0.3, 0.65] },
         ..Description::empty(Camera::upright(eye, view, 1.0))
@@ -241,7 +243,7 @@ fn cylinder([x, y]: [f64; 2], radius: f64, color: [f64; 3], surface: Surface) ->
 }
 
 fn lamp(position: [f64; 3], color: [f64; 3], radius: f64) -> Lamp {
-    Lamp { position, color, radius, line: 0 }
+    Lamp { position, color, radius, fall_off: FallOff::OfModel, line: 0 }
 }
 
 fn glass(ks: f64, ior: f64) -> Surface {

@@ -6,7 +6,6 @@ use core::ops::ControlFlow;
 use heapless::Vec;
 
 use super::{Accelerator, Lists};
-use crate::material::Material;
 use crate::needs::Needs;
 use crate::ray::Ray;
 use crate::scalar::{Scalar, Unit};
@@ -27,11 +26,11 @@ pub(super) fn through<S: Scalar, N: Needs, A: Accelerator<S>>(
 ) -> S::Unit {
     if A::IN_ORDER {
         let mut part = S::Unit::ONE;
-        let filter = |_, kt| {
+        let filter = |_, kt: S::Unit| {
             part = part.times(kt);
             if part > S::Unit::ZERO { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
         };
-        let mut visitor = Through::<S, N, _> { ray, t_max, filter, needs: PhantomData };
+        let mut visitor = Through::<S, N, _> { world, ray, t_max, filter, needs: PhantomData };
         let is_hidden = accelerator.candidates::<N>(&world.scene, ray, &mut visitor).is_break();
         return if is_hidden { S::Unit::ZERO } else { part };
     }
@@ -40,7 +39,7 @@ pub(super) fn through<S: Scalar, N: Needs, A: Accelerator<S>>(
         filters.add(object, kt);
         ControlFlow::Continue(())
     };
-    let mut visitor = Through::<S, N, _> { ray, t_max, filter, needs: PhantomData };
+    let mut visitor = Through::<S, N, _> { world, ray, t_max, filter, needs: PhantomData };
     if accelerator.candidates::<N>(&world.scene, ray, &mut visitor).is_break() {
         return S::Unit::ZERO;
     }
@@ -50,6 +49,7 @@ pub(super) fn through<S: Scalar, N: Needs, A: Accelerator<S>>(
 /// Visits the objects in the way of a shadow ray, and stops where none of its light is left: at an opaque object, or where
 /// `filter` says so. It is called with each transparent object and the part that this lets through.
 struct Through<'r, S: Scalar, N, F> {
+    world: &'r World<'r, S>,
     ray: &'r Ray<S>,
     t_max: S,
     filter: F,
@@ -64,7 +64,7 @@ impl<S: Scalar, N: Needs, F: FnMut(Object, S::Unit) -> ControlFlow<()>> Visit<S>
     fn run<P: Primitive<S>>(&mut self, first: Object, run: &[P]) -> ControlFlow<()> {
         for (i, primitive) in (0..).zip(run) {
             if primitive.intersect(self.ray, self.t_max).is_some() {
-                match transmitted::<S, N>(primitive.look().material) {
+                match transmitted::<S, N>(self.world, primitive.look().material) {
                     Some(kt) => (self.filter)(first.after(i), kt)?,
                     None => return ControlFlow::Break(()),
                 }
@@ -74,9 +74,14 @@ impl<S: Scalar, N: Needs, F: FnMut(Object, S::Unit) -> ControlFlow<()>> Visit<S>
     }
 }
 
-/// Returns the part of a shadow ray's light that a material lets through, 0 to 1; `None` where it casts a full shadow.
-pub fn transmitted<S: Scalar, N: Needs>(material: &Material<S>) -> Option<S::Unit> {
-    if N::TRANSPARENT_SHADOWS { material.glass::<N>().map(|glass| glass.kt) } else { None }
+/// Returns the part of a shadow ray's light that the material of that number lets through, 0 to 1; `None` where it casts a full
+/// shadow.
+pub fn transmitted<S: Scalar, N: Needs>(world: &World<'_, S>, material: u16) -> Option<S::Unit> {
+    if N::TRANSPARENT_SHADOWS {
+        world.scene.material(material).glass::<N>().map(|glass| glass.kt)
+    } else {
+        None
+    }
 }
 
 /// The transparent objects in the way of a shadow ray, added in any order and sorted in order of [`Object`], on which the

@@ -44,7 +44,7 @@ impl<S: Scalar> Illumination<S> for Bouknight<S> {
 
     fn direct<N: Needs>(&self, surface: &Surface<S>, incident: &Incident<S>) -> Rgb<S::Light> {
         let kd = surface.material.finish::<N>().map_or(self.kd, |finish| finish.kd);
-        let light = incident.unattenuated();
+        let light = incident.light::<N>(false);
         let part = kd.times(incident.cosine.power(self.exponent));
         surface.color.zip(incident.lamp.tint, |color, tint| light.times(tint).times(color.times(part)))
     }

@@ -27,7 +27,7 @@ impl<S: Scalar> Illumination<S> for Lambert {
     }
 
     fn direct<N: Needs>(&self, surface: &Surface<S>, incident: &Incident<S>) -> Rgb<S::Light> {
-        let light = if N::ATTENUATION { incident.irradiance() } else { incident.intensity() };
+        let light = incident.light::<N>(true);
         let light = light.times(incident.cosine);
         surface.diffuse::<N>().zip(incident.lamp.tint, |color, part| light.times(color.times(part)))
     }

@@ -4,6 +4,7 @@
 use super::{Illumination, Secondary, Whitted};
 use crate::color::Rgb;
 use crate::light::Incident;
+use crate::material::Finish;
 use crate::needs::Needs;
 use crate::scalar::Scalar;
 use crate::scalar::vector::UnitVector;
@@ -35,8 +36,9 @@ impl<S: Scalar> Illumination<S> for Phong<S> {
     }
 
     fn direct<N: Needs>(&self, surface: &Surface<S>, incident: &Incident<S>) -> Rgb<S::Light> {
-        self.0
-            .lit::<N>(surface, incident, || incident.direction.dot(surface.incoming.reflect(surface.normal)))
+        let exponent = |finish: &Finish<S>| finish.reflected;
+        let cosine = || incident.direction.dot(surface.incoming.reflect(surface.normal));
+        self.0.lit::<N>(surface, incident, exponent, cosine)
     }
 
     fn secondary<N: Needs>(&self, surface: &Surface<S>) -> Secondary<S::Unit> {

@@ -58,7 +58,7 @@ impl<S: Scalar> Illumination<S> for Rta {
                 return tint.map(|part| light.times(part));
             }
         }
-        let light = if N::ATTENUATION { incident.irradiance() } else { incident.intensity() };
+        let light = incident.light::<N>(true);
         let light = light.times(incident.cosine);
         surface.diffuse::<N>().zip(tint, |color, part| light.times(color.times(part)))
     }

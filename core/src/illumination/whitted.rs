@@ -3,7 +3,7 @@
 use super::{Illumination, Secondary};
 use crate::color::Rgb;
 use crate::light::Incident;
-use crate::material::Material;
+use crate::material::{Finish, Material};
 use crate::needs::Needs;
 use crate::scalar::vector::UnitVector;
 use crate::scalar::{Exponent, Light, Scalar, Unit};
@@ -11,8 +11,7 @@ use crate::surface::Surface;
 
 /// `I = Ia C ka + kd sum (N.L) C I + ks (I_ref + sum (N.H)^n I) + kt I_tra`
 ///
-/// Lamps are not attenuated; an intensity above 1 counts as 1 where it is made for the square law
-/// ([`Lamp::square_law`](crate::light::Lamp::square_law)). Mirrors are colourless. The thesis's materials have no
+/// Lamps are not attenuated, unless they say so ([`FallOff`](crate::light::FallOff)). Mirrors are colourless. The thesis's materials have no
 /// coefficients, so the model supplies them:
 ///
 /// | material | ka | kd | ks | kt |
@@ -40,11 +39,15 @@ impl<S: Scalar> Default for Whitted<S> {
 }
 
 impl<S: Scalar> Whitted<S> {
-    /// Returns kd, ks and the exponent of highlights for a material.
-    pub(super) fn coefficients<N: Needs>(&self, material: &Material<S>) -> (S::Unit, S::Unit, Exponent) {
+    /// Returns kd, ks and the exponent of highlights for a material; `exponent` chooses that of a finish.
+    pub(super) fn coefficients<N: Needs>(
+        &self,
+        material: &Material<S>,
+        exponent: impl FnOnce(&Finish<S>) -> Exponent,
+    ) -> (S::Unit, S::Unit, Exponent) {
         let (zero, one) = (S::Unit::ZERO, S::Unit::ONE);
         if let Some(finish) = material.finish::<N>() {
-            return (finish.kd, finish.glass.ks, finish.exponent);
+            return (finish.kd, finish.glass.ks, exponent(finish));
         }
         let (kd, ks) = match material {
             Material::Shiny => (one - self.shine, self.shine),
@@ -55,15 +58,17 @@ impl<S: Scalar> Whitted<S> {
         (kd, ks, self.exponent)
     }
 
-    /// Returns the radiance that the point sends back of one lamp; `highlight` computes the cosine whose power the highlight is.
+    /// Returns the radiance that the point sends back of one lamp; `highlight` computes the cosine whose power the
+    /// highlight is, `exponent` chooses the exponent of a finish.
     pub(super) fn lit<N: Needs>(
         &self,
         surface: &Surface<S>,
         incident: &Incident<S>,
+        exponent: impl FnOnce(&Finish<S>) -> Exponent,
         highlight: impl FnOnce() -> S::Unit,
     ) -> Rgb<S::Light> {
-        let (kd, ks, exponent) = self.coefficients::<N>(surface.material);
-        let intensity = incident.unattenuated();
+        let (kd, ks, exponent) = self.coefficients::<N>(surface.material, exponent);
+        let intensity = incident.light::<N>(false);
         let diffuse = kd.times(incident.cosine);
         let specular = if N::GLINT && ks > S::Unit::ZERO {
             let cosine = highlight();
@@ -87,7 +92,7 @@ impl<S: Scalar> Illumination<S> for Whitted<S> {
         let part = match surface.material {
             Material::Opaque | Material::Shiny => self.ka,
             material => match material.finish::<N>() {
-                Some(finish) => self.ka.times(finish.kd),
+                Some(finish) => self.ka.times(finish.ka),
                 None => return Rgb::BLACK,
             },
         };
@@ -99,14 +104,15 @@ impl<S: Scalar> Illumination<S> for Whitted<S> {
     }
 
     fn direct<N: Needs>(&self, surface: &Surface<S>, incident: &Incident<S>) -> Rgb<S::Light> {
-        self.lit::<N>(surface, incident, || {
+        let exponent = |finish: &Finish<S>| finish.exponent;
+        self.lit::<N>(surface, incident, exponent, || {
             let halfway = incident.direction.halfway(-surface.incoming);
             halfway.map_or(S::Unit::ZERO, |h| surface.normal.dot(h))
         })
     }
 
     fn secondary<N: Needs>(&self, surface: &Surface<S>) -> Secondary<S::Unit> {
-        let (_, ks, _) = self.coefficients::<N>(surface.material);
+        let (_, ks, _) = self.coefficients::<N>(surface.material, |finish| finish.exponent);
         Secondary {
             reflected: (ks > S::Unit::ZERO).then_some(ks),
             transmitted: surface.material.glass::<N>().map(|glass| glass.kt),

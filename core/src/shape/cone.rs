@@ -6,7 +6,6 @@
 
 use super::{Look, Primitive, SurfacePoint};
 use crate::color::Rgb;
-use crate::material::Material;
 use crate::needs::Needs;
 use crate::ray::Ray;
 use crate::scalar::vector::{LengthVector, UnitVec3, UnitVector, Vec3, Vector};
@@ -39,8 +38,8 @@ pub struct Cone<S: Scalar> {
     pub inside_only: bool,
     /// Reflectance of the surface.
     pub color: Rgb<S::Unit>,
-    /// What the surface does with light.
-    pub material: Material<S>,
+    /// Number of its material in the scene's list, from 0.
+    pub material: u16,
 }
 
 /// A ray relative to the middle of the axis, in spans.
@@ -244,8 +243,8 @@ impl<S: Scalar> Primitive<S> for Cone<S> {
         SurfacePoint { distance, point: self.center.along(place, self.span), normal }
     }
 
-    fn look(&self) -> Look<'_, S> {
-        let Self { center, span, color, ref material, .. } = *self;
+    fn look(&self) -> Look<S> {
+        let Self { center, span, color, material, .. } = *self;
         let radius = span.scale(S::Unit::ratio(1, 2));
         Look { color, material, extent: span, center, radius, least: radius }
     }

@@ -2,7 +2,6 @@
 
 use super::{Look, Primitive, SurfacePoint, ahead};
 use crate::color::Rgb;
-use crate::material::Material;
 use crate::needs::Needs;
 use crate::ray::{GroundPlan, Ray};
 use crate::scalar::vector::{LengthVector, UnitVec3, UnitVector, Vec3, Vector};
@@ -20,13 +19,13 @@ pub struct Cylinder<S: Scalar> {
     pub inverse_radius: S::Inverse,
     /// Reflectance of the surface.
     pub color: Rgb<S::Unit>,
-    /// What the surface does with light.
-    pub material: Material<S>,
+    /// Number of its material in the scene's list, from 0.
+    pub material: u16,
 }
 
 impl<S: Scalar> Cylinder<S> {
     /// Returns a cylinder from a place on its axis and its radius.
-    pub fn new(center: Vec3<S>, radius: S, color: Rgb<S::Unit>, material: Material<S>) -> Self {
+    pub fn new(center: Vec3<S>, radius: S, color: Rgb<S::Unit>, material: u16) -> Self {
         Self { center, radius, inverse_radius: radius.inverse(), color, material }
     }
 }
@@ -90,8 +89,8 @@ impl<S: Scalar> Primitive<S> for Cylinder<S> {
     }
 
     /// The look's centre is where the axis meets the floor.
-    fn look(&self) -> Look<'_, S> {
-        let Self { radius, color, ref material, .. } = *self;
+    fn look(&self) -> Look<S> {
+        let Self { radius, color, material, .. } = *self;
         let center = Vec3::<S>::new(self.center.x(), self.center.y(), S::ZERO);
         Look { color, material, extent: radius, center, radius, least: radius }
     }

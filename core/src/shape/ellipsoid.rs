@@ -6,7 +6,6 @@
 
 use super::{Look, Primitive, SurfacePoint, ahead};
 use crate::color::Rgb;
-use crate::material::Material;
 use crate::needs::Needs;
 use crate::ray::Ray;
 use crate::scalar::vector::{LengthVector, UnitVec3, UnitVector, Vec3, Vector};
@@ -31,8 +30,8 @@ pub struct Ellipsoid<S: Scalar> {
     pub inside_only: bool,
     /// Reflectance of the surface.
     pub color: Rgb<S::Unit>,
-    /// What the surface does with light.
-    pub material: Material<S>,
+    /// Number of its material in the scene's list, from 0.
+    pub material: u16,
 }
 
 /// A ray in the space where an ellipsoid is a sphere of radius [`Ellipsoid::thickness`] around 0.
@@ -50,7 +49,7 @@ struct Squashed<S: Scalar> {
 
 impl<S: Scalar> Ellipsoid<S> {
     /// Returns an ellipsoid from its centre and its radii along x, y and z.
-    pub fn new(center: Vec3<S>, radii: Vec3<S>, color: Rgb<S::Unit>, material: Material<S>) -> Self {
+    pub fn new(center: Vec3<S>, radii: Vec3<S>, color: Rgb<S::Unit>, material: u16) -> Self {
         let larger = |a: S, b: S| if a > b { a } else { b };
         let smaller = |a: S, b: S| if a < b { a } else { b };
         let (x, y, z) = (radii.x(), radii.y(), radii.z());
@@ -116,8 +115,8 @@ impl<S: Scalar> Primitive<S> for Ellipsoid<S> {
         SurfacePoint { distance, point: self.center + arm, normal }
     }
 
-    fn look(&self) -> Look<'_, S> {
-        let Self { center, radii, extent: radius, thickness, color, ref material, .. } = *self;
+    fn look(&self) -> Look<S> {
+        let Self { center, radii, extent: radius, thickness, color, material, .. } = *self;
         let smaller = |a: S, b: S| if a < b { a } else { b };
         let least = smaller(smaller(radii.x(), radii.y()), radii.z());
         Look { color, material, extent: radius.squashed(thickness), center, radius, least }

@@ -11,6 +11,8 @@ use crate::scalar::vector::{LengthVector, UnitVec3, UnitVector, Vec3, Vector};
 pub struct Floor<S: Scalar> {
     /// Reflectance of the tiles where `floor(x / 3) + floor(y / 3)` is even, and of the others.
     pub colors: [Rgb<S::Unit>; 2],
+    /// Number of its material in the scene's list, from 0.
+    pub material: u16,
 }
 
 impl<S: Scalar> Floor<S> {

@@ -5,7 +5,6 @@
 
 use super::{Look, Primitive, SurfacePoint};
 use crate::color::Rgb;
-use crate::material::Material;
 use crate::needs::Needs;
 use crate::ray::Ray;
 use crate::scalar::vector::{LengthVector, UnitVec3, UnitVector, Vec3};
@@ -20,8 +19,8 @@ pub struct Plane<S: Scalar> {
     pub normal: UnitVec3<S>,
     /// Reflectance of the surface.
     pub color: Rgb<S::Unit>,
-    /// What the surface does with light.
-    pub material: Material<S>,
+    /// Number of its material in the scene's list, from 0.
+    pub material: u16,
 }
 
 impl<S: Scalar> Plane<S> {
@@ -65,8 +64,8 @@ impl<S: Scalar> Primitive<S> for Plane<S> {
     }
 
     /// The look is that of a disc, beyond which no place of the plane lies.
-    fn look(&self) -> Look<'_, S> {
-        let Self { center, color, ref material, .. } = *self;
+    fn look(&self) -> Look<S> {
+        let Self { center, color, material, .. } = *self;
         let reach = Self::reach();
         Look { color, material, extent: S::ZERO, center, radius: reach, least: reach }
     }

@@ -4,7 +4,6 @@
 
 use super::{Look, Primitive, SurfacePoint, ahead};
 use crate::color::Rgb;
-use crate::material::Material;
 use crate::needs::Needs;
 use crate::ray::Ray;
 use crate::scalar::vector::{LengthVector, UnitVector, Vec3};
@@ -21,13 +20,13 @@ pub struct Sphere<S: Scalar> {
     pub inverse_radius: S::Inverse,
     /// Reflectance of the surface.
     pub color: Rgb<S::Unit>,
-    /// What the surface does with light.
-    pub material: Material<S>,
+    /// Number of its material in the scene's list, from 0.
+    pub material: u16,
 }
 
 impl<S: Scalar> Sphere<S> {
     /// Returns a sphere from its centre and radius.
-    pub fn new(center: Vec3<S>, radius: S, color: Rgb<S::Unit>, material: Material<S>) -> Self {
+    pub fn new(center: Vec3<S>, radius: S, color: Rgb<S::Unit>, material: u16) -> Self {
         Self { center, radius, inverse_radius: radius.inverse(), color, material }
     }
 
@@ -77,8 +76,8 @@ impl<S: Scalar> Primitive<S> for Sphere<S> {
     }
 
     #[inline]
-    fn look(&self) -> Look<'_, S> {
-        let Self { center, radius, color, ref material, .. } = *self;
+    fn look(&self) -> Look<S> {
+        let Self { center, radius, color, material, .. } = *self;
         Look { color, material, extent: radius, center, radius, least: radius }
     }
 }

@@ -6,7 +6,6 @@
 
 use super::{Look, Primitive, SurfacePoint};
 use crate::color::Rgb;
-use crate::material::Material;
 use crate::needs::Needs;
 use crate::ray::Ray;
 use crate::scalar::vector::{LengthVector, UnitVec3, UnitVector, Vec3, Vector};
@@ -28,8 +27,8 @@ pub struct Triangle<S: Scalar> {
     pub one_sided: bool,
     /// Reflectance of the surface.
     pub color: Rgb<S::Unit>,
-    /// What the surface does with light.
-    pub material: Material<S>,
+    /// Number of its material in the scene's list, from 0.
+    pub material: u16,
 }
 
 /// A hit of a triangle.
@@ -150,8 +149,8 @@ impl<S: Scalar> Primitive<S> for Triangle<S> {
     }
 
     #[inline]
-    fn look(&self) -> Look<'_, S> {
-        let Self { vertices: [center, ..], extent, color, ref material, .. } = *self;
+    fn look(&self) -> Look<S> {
+        let Self { vertices: [center, ..], extent, color, material, .. } = *self;
         Look { color, material, extent, center, radius: extent, least: extent }
     }
 

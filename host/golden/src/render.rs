@@ -88,7 +88,7 @@ impl Render {
         accelerator: impl Accelerator<S>,
     ) -> Result<Picture, DrawError> {
         let admitted = scene.admit_with(camera, accelerator)?;
-        in_model!(self.model.unwrap_or(described.model.into()), model => {
+        in_model!(self.model.unwrap_or(described.model), model => {
             let tracer: Tracer<_, _, Everything, STACK, _> = Tracer::new(&admitted, model, self.depth)?;
             self.screen.trace(&tracer, camera)
         })

@@ -171,7 +171,7 @@ fn cylinder<S: ToF32, N: Needs>(
 ) -> Option<(S, Option<S::Unit>)> {
     let cylinder = world.scene.cylinders.get(index(i))?;
     let distance = cylinder.intersect(&world.ray::<N>(ray.origin, ray.direction), t_max)?;
-    Some((distance, transmitted::<S, N>(&cylinder.material)))
+    Some((distance, transmitted::<S, N>(world, cylinder.material)))
 }
 
 /// Returns the distance of an object that is hit nearer than `t_max`.

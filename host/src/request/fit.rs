@@ -5,7 +5,7 @@ use std::io::{self, Write};
 
 use rta_core::Error;
 use rta_scenes::OutOfRange;
-use rta_scenes::description::{self, Description};
+use rta_scenes::description::Description;
 use rta_scenes::fit::{Fitted, FloorError, fit, missing};
 
 use super::error::{Hint, PowerOfTwo, RequestError};
@@ -98,12 +98,7 @@ impl Fit {
 
     /// `is_admitted` is whether the scene is admitted as it is.
     fn fitted(&self, scene: &Description, is_admitted: bool) -> Result<Fitted, FloorError> {
-        let model = match self.model.map(Model::is_attenuated) {
-            None => scene.model,
-            Some(true) => description::Model::Rta,
-            Some(false) => description::Model::Phong,
-        };
-        fit(scene, model, self.format, is_admitted, |scene| self.admits(scene))
+        fit(scene, self.model.unwrap_or(scene.model), self.format, is_admitted, |scene| self.admits(scene))
     }
 
     fn admits(&self, scene: &Description) -> bool {

@@ -55,7 +55,8 @@ pub(super) fn write<S: Literal>(
         out,
         "    ::rta_core::range::Admitted::baked(\n        ::rta_core::scene::Scene {{\n            \
          cylinders: &CYLINDERS,\n            ellipsoids: &ELLIPSOIDS,\n            spheres: &SPHERES,\n            \
-         cones: &CONES,\n            triangles: &TRIANGLES,\n            planes: &PLANES,\n            lamps: &LAMPS,"
+         cones: &CONES,\n            triangles: &TRIANGLES,\n            planes: &PLANES,\n            lamps: &LAMPS,\n            \
+         materials: &MATERIALS,"
     )?;
     match &scene.floor {
         None => writeln!(out, "            floor: None,")?,
@@ -64,7 +65,8 @@ pub(super) fn write<S: Literal>(
             let (even, odd) = (color::<S>(even), color::<S>(odd));
             writeln!(
                 out,
-                "            floor: Some(::rta_core::shape::Floor {{ colors: [{even}, {odd}] }}),"
+                "            floor: Some(::rta_core::shape::Floor {{ colors: [{even}, {odd}], material: {} }}),",
+                floor.material
             )?;
         }
     }
@@ -141,7 +143,7 @@ fn write_lists<S: Literal>(out: &mut impl Write, scene: &Narrowed<S>) -> fmt::Re
             length(c.radius),
             S::inverse_literal(c.inverse_radius),
             color::<S>(c.color),
-            material(&c.material)
+            c.material
         )
     });
     let ellipsoids = scene.ellipsoids.iter().map(|e| {
@@ -155,7 +157,7 @@ fn write_lists<S: Literal>(out: &mut impl Write, scene: &Narrowed<S>) -> fmt::Re
             unit::<S>(e.thickness),
             e.inside_only,
             color::<S>(e.color),
-            material(&e.material)
+            e.material
         )
     });
     let spheres = scene.spheres.iter().map(|s| {
@@ -165,7 +167,7 @@ fn write_lists<S: Literal>(out: &mut impl Write, scene: &Narrowed<S>) -> fmt::Re
             length(s.radius),
             S::inverse_literal(s.inverse_radius),
             color::<S>(s.color),
-            material(&s.material)
+            s.material
         )
     });
     let cones = scene.cones.iter().map(|c| {
@@ -181,7 +183,7 @@ fn write_lists<S: Literal>(out: &mut impl Write, scene: &Narrowed<S>) -> fmt::Re
             unit::<S>(base),
             unit::<S>(apex),
             color::<S>(c.color),
-            material(&c.material)
+            c.material
         )
     });
     let triangles = scene.triangles.iter().map(|t| {
@@ -196,23 +198,23 @@ fn write_lists<S: Literal>(out: &mut impl Write, scene: &Narrowed<S>) -> fmt::Re
             direction::<S>(t.normal),
             t.one_sided,
             color::<S>(t.color),
-            material(&t.material)
+            t.material
         )
     });
     let planes = scene.planes.iter().map(|p| {
         let (center, normal) = (place::<S>(p.center), direction::<S>(p.normal));
-        let (color, material) = (color::<S>(p.color), material(&p.material));
+        let (color, material) = (color::<S>(p.color), p.material);
         format!("center: {center}, normal: {normal}, color: {color}, material: {material}")
     });
     let lamps = scene.lamps.iter().map(|l| {
         format!(
-            "position: {}, radius: {}, inverse_radius: {}, power: {}, tint: {}, square_law: {}",
+            "position: {}, radius: {}, inverse_radius: {}, power: {}, tint: {}, fall_off: ::rta_core::light::FallOff::{:?}",
             place::<S>(l.position),
             length(l.radius),
             S::inverse_literal(l.inverse_radius),
             S::power_literal(l.power),
             color::<S>(l.tint),
-            l.square_law
+            l.fall_off
         )
     });
     write_list(out, "CYLINDERS", "shape::Cylinder", &cylinders.collect::<Vec<_>>())?;
@@ -221,6 +223,13 @@ fn write_lists<S: Literal>(out: &mut impl Write, scene: &Narrowed<S>) -> fmt::Re
     write_list(out, "CONES", "shape::Cone", &cones.collect::<Vec<_>>())?;
     write_list(out, "TRIANGLES", "shape::Triangle", &triangles.collect::<Vec<_>>())?;
     write_list(out, "PLANES", "shape::Plane", &planes.collect::<Vec<_>>())?;
+    let materials = scene.materials.iter().map(material).collect::<Vec<_>>();
+    writeln!(
+        out,
+        "    static MATERIALS: [Material<Number>; {}] = [{}];",
+        materials.len(),
+        materials.join(", ")
+    )?;
     write_list(out, "LAMPS", "light::Lamp", &lamps.collect::<Vec<_>>())
 }
 
@@ -268,10 +277,12 @@ fn material<S: Literal>(material: &Material<S>) -> String {
         Material::Shiny => "Material::Shiny".into(),
         Material::Mirror => "Material::Mirror".into(),
         Material::Transparent(glass) => format!("Material::Transparent({})", self::glass(glass)),
-        Material::Finish(Finish { kd, exponent, glass }) => format!(
-            "Material::Finish(Finish {{ kd: {}, exponent: {}, glass: {} }})",
+        Material::Finish(Finish { ka, kd, exponent, reflected, glass }) => format!(
+            "Material::Finish(Finish {{ ka: {}, kd: {}, exponent: {}, reflected: {}, glass: {} }})",
+            unit::<S>(*ka),
             unit::<S>(*kd),
             self::exponent(*exponent),
+            self::exponent(*reflected),
             self::glass(glass)
         ),
     }

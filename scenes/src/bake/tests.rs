@@ -17,7 +17,7 @@ fn source(scene: &Description, recipe: &Recipe) -> String {
 #[test]
 fn the_model_follows_the_one_that_a_scene_was_made_for() {
     let balls = crate::read(include_bytes!("../../balls2.nff"), "balls2.nff").expect("it ships");
-    assert_eq!(Model::from(balls.model), Model::Phong);
+    assert_eq!(balls.model, Model::Phong);
     assert_eq!(Model::from(read(shipped::GLASS_2).model), Model::Rta);
     let recipe = Recipe { model: balls.model.into(), ..Recipe::new(Format::Q16) };
     assert!(needs(&source(&balls, &recipe), false).contains(&"ATTENUATION"));

@@ -2,7 +2,9 @@ mod bytes;
 mod notes;
 
 use super::read;
-use crate::description::{Camera, Cylinder, Description, Ellipsoid, Floor, Lamp, Sky, Sphere, Surface};
+use crate::description::{
+    Camera, Cylinder, Description, Ellipsoid, FallOff, Floor, Lamp, Sky, Sphere, Surface,
+};
 use crate::shipped;
 
 /// One of everything; each test spoils one line of it.
@@ -79,8 +81,14 @@ fn every_number_lands_where_it_belongs() {
                 line: 11,
             },
         ],
-        lamps: vec![Lamp { position: [0.0, 0.0, 99.0], color: [4e4; 3], radius: 0.0, line: 13 }],
-        floor: Some(Floor { colors: [[0.9, 0.8, 0.7], [0.1, 0.2, 0.3]] }),
+        lamps: vec![Lamp {
+            position: [0.0, 0.0, 99.0],
+            color: [4e4; 3],
+            radius: 0.0,
+            fall_off: FallOff::OfModel,
+            line: 13,
+        }],
+        floor: Some(Floor { colors: [[0.9, 0.8, 0.7], [0.1, 0.2, 0.3]], surface: Surface::Opaque }),
         ambient: [0.4, 0.5, 0.6],
         sky: Sky { horizon: [0.7, 0.8, 1.0], zenith: [0.1, 0.1, 1.0] },
         ..Description::empty(Camera::upright([1.0, 2.0, 3.0], [0.0, 1.0, -0.5], 1.5))

@@ -23,7 +23,7 @@ impl Description {
                 && self.triangles.is_empty()
                 && self.planes.is_empty()
                 && self.camera == camera)
-            || surfaces.any(|surface| matches!(surface, Surface::Finish { .. }))
+            || surfaces.any(|surface| matches!(surface, Surface::Finish { .. } | Surface::Of(_)))
         {
             return None;
         }
@@ -83,7 +83,7 @@ impl Display for Type<'_> {
             Surface::Shiny => write!(f, "1"),
             Surface::Mirror => write!(f, "2"),
             Surface::Transparent { ks, kt, ior } => write!(f, "3  {}", Numbers(&[ks, kt, ior])),
-            Surface::Finish { .. } => Err(fmt::Error),
+            Surface::Finish { .. } | Surface::Of(_) => Err(fmt::Error),
         }
     }
 }

@@ -1,12 +1,10 @@
 //! Numbers of a description as those of a format, or an error that names the thing.
 
 use rta_core::color::Rgb;
-use rta_core::material::{Finish, Glass, Material};
 use rta_core::scalar::Exponent;
 use rta_core::vector::{Vec3, Vector};
 
 use super::{Narrow, NarrowError};
-use crate::description::Surface;
 
 /// What an error says of the thing that is being narrowed.
 #[derive(Clone, Copy)]
@@ -68,22 +66,6 @@ impl<S: Narrow> Checker<S> {
         Ok(Rgb::new(r, g, b))
     }
 
-    pub(super) fn material(&self, surface: &Surface) -> Result<Material<S>, NarrowError> {
-        Ok(match *surface {
-            Surface::Opaque => Material::Opaque,
-            Surface::Shiny => Material::Shiny,
-            Surface::Mirror => Material::Mirror,
-            Surface::Transparent { ks, kt, ior } => Material::Transparent(glass::<S>(ks, kt, ior)),
-            Surface::Finish { kd, ks, exponent, kt, ior } => {
-                for coefficient in [kd, ks, kt] {
-                    self.at_most("a coefficient", coefficient, S::LARGEST_COLOR)?;
-                }
-                let (kd, exponent) = (S::unit(kd), self::exponent(exponent));
-                Material::Finish(Finish { kd, exponent, glass: glass::<S>(ks, kt, ior) })
-            }
-        })
-    }
-
     pub(super) fn light(&self, color: [f64; 3]) -> Result<Rgb<S::Light>, NarrowError> {
         for register in color {
             self.at_most("a register", register, S::LARGEST_LIGHT)?;
@@ -91,11 +73,6 @@ impl<S: Narrow> Checker<S> {
         let [r, g, b] = color.map(S::light);
         Ok(Rgb::new(r, g, b))
     }
-}
-
-fn glass<S: Narrow>(ks: f64, kt: f64, ior: f64) -> Glass<S> {
-    let eta = if ior > 1.0 { 1.0 / ior } else { ior };
-    Glass { ks: S::unit(ks), kt: S::unit(kt), eta: S::unit(eta), denser: ior >= 1.0 }
 }
 
 /// Returns the nearest exponent of a highlight, with as many places as there is room for. What is sharper than the sharpest is a

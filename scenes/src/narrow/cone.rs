@@ -1,5 +1,6 @@
 //! A cone in one number format: everything but its middle is made in `f64`.
 
+use rta_core::scene::PLAIN;
 use rta_core::shape::Cone;
 
 use super::triangle::direction;
@@ -7,6 +8,7 @@ use super::{Checker, Narrow, NarrowError};
 use crate::description;
 use crate::space::{difference, length, unit};
 
+/// Returns cone number `index` of a description, of no material yet.
 pub(super) fn narrow<S: Narrow>(index: usize, of: &description::Cone) -> Result<Cone<S>, NarrowError> {
     let check = Checker::<S>::new("cone", index, of.line);
     let way = difference(of.apex, of.base);
@@ -39,6 +41,6 @@ pub(super) fn narrow<S: Narrow>(index: usize, of: &description::Cone) -> Result<
         capped: of.capped,
         inside_only: of.inside_only,
         color: check.color("a colour's register", of.color)?,
-        material: check.material(&of.surface)?,
+        material: PLAIN,
     })
 }

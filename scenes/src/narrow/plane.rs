@@ -1,5 +1,6 @@
 //! An infinite plane in one number format.
 
+use rta_core::scene::PLAIN;
 use rta_core::shape::Plane;
 
 use super::triangle::direction;
@@ -7,7 +8,8 @@ use super::{Checker, Narrow, NarrowError};
 use crate::description;
 use crate::space::{Triple, difference, dot, unit};
 
-/// Returns plane number `index` of a description, about the place of it that is nearest to the eye.
+/// Returns plane number `index` of a description, about the place of it that is nearest to the eye, of no
+/// material yet.
 pub(super) fn narrow<S: Narrow>(
     index: usize,
     of: &description::Plane,
@@ -21,6 +23,6 @@ pub(super) fn narrow<S: Narrow>(
         center: check.place(difference(eye, [x, y, z]), Plane::<S>::reach().to_f64())?,
         normal: direction::<S>(normal),
         color: check.color("a colour's register", of.color)?,
-        material: check.material(&of.surface)?,
+        material: PLAIN,
     })
 }

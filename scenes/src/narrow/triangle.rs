@@ -1,5 +1,6 @@
 //! A triangle in one number format: everything but the vertices is made in `f64`.
 
+use rta_core::scene::PLAIN;
 use rta_core::shape::Triangle;
 use rta_core::vector::{UnitVec3, Vector};
 
@@ -13,7 +14,7 @@ pub fn direction<S: Narrow>(v: [f64; 3]) -> UnitVec3<S> {
     Vector::new(x, y, z)
 }
 
-/// Returns triangle number `index` of a description in the format `S`.
+/// Returns triangle number `index` of a description in the format `S`, of no material yet.
 ///
 /// # Errors
 /// What of it the format cannot hold.
@@ -44,6 +45,6 @@ pub fn narrow<S: Narrow>(index: usize, of: &description::Triangle) -> Result<Tri
         normals,
         one_sided: of.one_sided,
         color: check.color("a colour's register", of.color)?,
-        material: check.material(&of.surface)?,
+        material: PLAIN,
     })
 }

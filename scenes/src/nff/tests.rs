@@ -3,7 +3,7 @@ mod errors;
 
 use super::read;
 use crate::description::{
-    Camera, Cone, Description, Ellipsoid, Lamp, Model, Side, Sky, Sphere, Surface, Triangle,
+    Camera, Cone, Description, Ellipsoid, FallOff, Lamp, Model, Side, Sky, Sphere, Surface, Triangle,
 };
 
 /// One of everything; each test spoils one line of it.
@@ -115,8 +115,20 @@ fn every_number_lands_where_it_belongs() {
             ),
         ],
         lamps: vec![
-            Lamp { position: [1.0, 2.0, 3.0], color: [share; 3], radius: 0.0, line: 10 },
-            Lamp { position: [-4.0, 5.0, 6.0], color: [0.7, 0.8, 9.0], radius: 0.0, line: 11 },
+            Lamp {
+                position: [1.0, 2.0, 3.0],
+                color: [share; 3],
+                radius: 0.0,
+                fall_off: FallOff::Constant,
+                line: 10,
+            },
+            Lamp {
+                position: [-4.0, 5.0, 6.0],
+                color: [0.7, 0.8, 9.0],
+                radius: 0.0,
+                fall_off: FallOff::Constant,
+                line: 11,
+            },
         ],
         sky: Sky { horizon: [0.1, 0.2, 0.3], zenith: [0.1, 0.2, 0.3] },
         model: Model::Phong,

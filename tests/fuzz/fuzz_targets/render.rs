@@ -10,7 +10,7 @@ use rta_core::needs::Everything;
 use rta_core::raster::{Pixels, Raster};
 use rta_core::trace::Tracer;
 use rta_core::{Q16, Q20};
-use rta_scenes::description::{Camera, Cylinder, Description, Ellipsoid, Floor, Lamp, Sky, Sphere, Surface};
+use rta_scenes::description::{Camera, Cylinder, Description, Ellipsoid, FallOff, Floor, Lamp, Sky, Sphere, Surface};
 use rta_scenes::narrow::{Narrow, Narrowed, narrow};
 use rta_scenes::{dat, shipped};
 
@@ -123,7 +123,7 @@ impl Input {
             scene.camera.focal = focal.positive();
         }
         if let Some(colors) = self.floor {
-            scene.floor = Some(Floor { colors: colors.map(sizes) });
+            scene.floor = Some(Floor { colors: colors.map(sizes), surface: Surface::Opaque });
         }
         if let Some([ambient, horizon, zenith]) = self.lights {
             scene.ambient = sizes(ambient);
@@ -157,6 +157,7 @@ impl Input {
                     position: values(position),
                     color: sizes(color),
                     radius: radius.map_or(0.0, |radius| radius.value().abs()),
+                    fall_off: FallOff::OfModel,
                     line: 0,
                 }),
             }

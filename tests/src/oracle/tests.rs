@@ -1,7 +1,9 @@
 //! The oracle against values worked out by hand.
 
 use super::{radiance, render};
-use rta_scenes::description::{Camera, Cylinder, Description, Ellipsoid, Floor, Lamp, Sky, Sphere, Surface};
+use rta_scenes::description::{
+    Camera, Cylinder, Description, Ellipsoid, FallOff, Floor, Lamp, Sky, Sphere, Surface,
+};
 use rta_scenes::{dat, shipped};
 
 const HORIZON: [f64; 3] = [0.8, 0.4, 0.2];
@@ -21,7 +23,7 @@ fn sphere(position: [f64; 3], radius: f64, surface: Surface) -> Sphere {
 }
 
 fn lamp(position: [f64; 3], intensity: f64, radius: f64) -> Lamp {
-    Lamp { position, color: [intensity, intensity / 2.0, 0.0], radius, line: 0 }
+    Lamp { position, color: [intensity, intensity / 2.0, 0.0], radius, fall_off: FallOff::OfModel, line: 0 }
 }
 
 fn glass(ks: f64, ior: f64) -> Surface {
@@ -83,7 +85,7 @@ fn camera_looks_through_the_centres_of_pixels() {
 #[test]
 fn floor_is_chequered_and_lit() {
     let mut scene = sky();
-    scene.floor = Some(Floor { colors: [[0.9, 0.8, 0.7], [0.1, 0.2, 0.3]] });
+    scene.floor = Some(Floor { colors: [[0.9, 0.8, 0.7], [0.1, 0.2, 0.3]], surface: Surface::Opaque });
     scene.ambient = [0.5, 0.25, 0.125];
     // N.CENIT + k1 = 2.5, times k2 = 1: the ambient light itself.
     let (first, second) = ([0.45, 0.2, 0.0875], [0.05, 0.05, 0.0375]);
@@ -116,7 +118,7 @@ fn lamp_is_seen_with_its_colour_over_the_square_of_its_radius() {
 #[test]
 fn shadows_let_the_light_of_glass_through_once_for_each() {
     let mut scene = sky();
-    scene.floor = Some(Floor { colors: [[1.0; 3]; 2] });
+    scene.floor = Some(Floor { colors: [[1.0; 3]; 2], surface: Surface::Opaque });
     scene.lamps = vec![lamp([1.0, 1.0, 10.0], 100.0, 0.5)];
     let at_floor = |scene: &Description| radiance(scene, [1.0, 1.0, 1.0], [0.0, 0.0, -1.0], 5);
     assert_near(at_floor(&scene), [1.0, 0.5, 0.0]);

@@ -6,7 +6,9 @@
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 use rta::engine::{Format, Model, Settings};
-use rta_scenes::description::{Camera, Cylinder, Description, Ellipsoid, Floor, Lamp, Sky, Sphere, Surface};
+use rta_scenes::description::{
+    Camera, Cylinder, Description, Ellipsoid, FallOff, Floor, Lamp, Sky, Sphere, Surface,
+};
 use rta_tests::picture::{render, settings};
 
 fn point() -> impl Strategy<Value = [f64; 3]> {
@@ -49,6 +51,7 @@ fn lamp() -> impl Strategy<Value = Lamp> {
         position,
         color,
         radius,
+        fall_off: FallOff::OfModel,
         line: 0,
     })
 }
@@ -63,7 +66,8 @@ fn scene() -> impl Strategy<Value = Description> {
     });
     let sphere = (point(), color(), radius(), surface())
         .prop_map(|(position, color, radius, surface)| Sphere { position, color, radius, surface, line: 0 });
-    let floor = prop::option::of([color(), color()].prop_map(|colors| Floor { colors }));
+    let floor =
+        prop::option::of([color(), color()].prop_map(|colors| Floor { colors, surface: Surface::Opaque }));
     let sky = (color(), color()).prop_map(|(horizon, zenith)| Sky { horizon, zenith });
     (
         camera(),

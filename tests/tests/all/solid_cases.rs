@@ -8,7 +8,7 @@ use core::f64::consts::PI;
 use rta::engine::{Format, Settings};
 use rta_core::illumination::Phong;
 use rta_core::needs::Everything;
-use rta_scenes::description::{Camera, Cylinder, Description, Lamp, Sky, Surface};
+use rta_scenes::description::{Camera, Cylinder, Description, FallOff, Lamp, Sky, Surface};
 use rta_scenes::model::Model;
 use rta_tests::exact::Exact;
 use rta_tests::picture::{render, share_within};
@@ -153,7 +153,13 @@ fn inside(eye: Color, view: Color) -> Description {
         Description { ambient: [0.2; 3], sky, ..Description::empty(Camera::upright(eye, view, 20.0)) };
     let (color, surface) = ([0.9, 0.5, 0.2], Surface::Opaque);
     scene.cylinders.push(Cylinder { position: [0.0; 3], color, radius: 2867.0, surface, line: 0 });
-    scene.lamps.push(Lamp { position: [9.0, 3.0, 2.0], color: [1e6; 3], radius: 0.0, line: 0 });
+    scene.lamps.push(Lamp {
+        position: [9.0, 3.0, 2.0],
+        color: [1e6; 3],
+        radius: 0.0,
+        fall_off: FallOff::OfModel,
+        line: 0,
+    });
     scene
 }
 

@@ -76,8 +76,6 @@ fn fitted(scene: &Description, format: Format, model: Model) -> Option<Cow<'_, D
     if admits(scene) {
         return Some(Cow::Borrowed(scene));
     }
-    // The model of the picture decides whether lamps are attenuated, and so scaled.
-    let model = if model.is_attenuated() { description::Model::Rta } else { description::Model::Phong };
     match fit(scene, model, format, false, admits) {
         Ok(Fitted::Scaled { scene, .. }) => Some(Cow::Owned(*scene)),
         _ => None,

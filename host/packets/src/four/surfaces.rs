@@ -4,7 +4,7 @@ use glam::{BVec4A, Vec3, Vec4};
 use rta_core::color::Rgb;
 use rta_core::material::Material;
 use rta_core::needs::Needs;
-use rta_core::scene::{Floor, Hit, Object};
+use rta_core::scene::{Floor, Hit, Object, PLAIN, Scene};
 use rta_core::surface::Surface;
 use rta_core::world::{Seen, World};
 
@@ -28,6 +28,8 @@ pub(crate) struct Surfaces4<'a> {
     pub(crate) extent: Vec4,
     colors: [Rgb<f32>; 4],
     pub(crate) materials: [&'a Material<f32>; 4],
+    /// The materials' numbers.
+    numbers: [u16; 4],
 }
 
 impl<'a> Surfaces4<'a> {
@@ -42,6 +44,7 @@ impl<'a> Surfaces4<'a> {
         extent: Vec4::ZERO,
         colors: [Rgb::BLACK; 4],
         materials: [&Material::Opaque; 4],
+        numbers: [PLAIN; 4],
     };
 
     /// The surface that ray `k` sees.
@@ -57,6 +60,7 @@ impl<'a> Surfaces4<'a> {
             extent: lane(&self.extent, k),
             color: one(&self.colors, k),
             material: one(&self.materials, k),
+            number: one(&self.numbers, k),
         }
     }
 
@@ -93,15 +97,28 @@ impl<'a> Surfaces4<'a> {
         Ray4 { origin: leave(self.spot.point, side, direction, self.extent).0, direction }
     }
 
+    /// Ray `k` sees a material.
+    #[inline(always)]
+    fn set_material(&mut self, scene: &Scene<'a, f32>, k: usize, number: u16) {
+        *one_mut(&mut self.materials, k) = scene.material(number);
+        *one_mut(&mut self.numbers, k) = number;
+    }
+
     /// Some rays see the floor.
     #[inline(always)]
-    fn add_floor(&mut self, floor: &Floor<f32>, rays: &Ray4, t: Vec4, which: u32) {
+    fn add_floor(
+        &mut self,
+        (scene, floor): (&Scene<'a, f32>, &Floor<f32>),
+        rays: &Ray4,
+        t: Vec4,
+        which: u32,
+    ) {
         let (point, odd) = on_floor(rays, t);
         self.replace(which, SurfacePoint4 { distance: t, point, normal: Vec3x4::splat(Vec3::Z) }, Vec4::ZERO);
         let [even_color, odd_color] = floor.colors;
         for k in Bits(which) {
             *one_mut(&mut self.colors, k) = if odd >> k & 1 == 1 { odd_color } else { even_color };
-            *one_mut(&mut self.materials, k) = &Material::Opaque;
+            self.set_material(scene, k, floor.material);
         }
     }
 
@@ -132,6 +149,7 @@ impl<'a> Surfaces4<'a> {
         set(&mut self.extent, k, surface.extent);
         *one_mut(&mut self.colors, k) = surface.color;
         *one_mut(&mut self.materials, k) = surface.material;
+        *one_mut(&mut self.numbers, k) = surface.number;
     }
 
     /// Finds what four rays see where they meet something, or where not.
@@ -162,7 +180,8 @@ impl<'a> Surfaces4<'a> {
             });
             spots.spot = SurfacePoint4::on_spheres(spheres, on_spheres, rays, nearest.distance);
             spots.colors = spheres.map(|sphere| sphere.color);
-            spots.materials = spheres.map(|sphere| &sphere.material);
+            spots.numbers = spheres.map(|sphere| sphere.material);
+            spots.materials = spots.numbers.map(|number| world.scene.material(number));
             let [a, b, c, d] = spheres.map(|sphere| sphere.radius);
             spots.extent = Vec4::new(a, b, c, d);
         }
@@ -178,13 +197,13 @@ impl<'a> Surfaces4<'a> {
             for k in Bits(on_triangles) {
                 let triangle = one(&triangles, k);
                 *one_mut(&mut spots.colors, k) = triangle.color;
-                *one_mut(&mut spots.materials, k) = &triangle.material;
+                spots.set_material(&world.scene, k, triangle.material);
             }
         }
         if on_floor != 0
             && let Some(floor) = &world.scene.floor
         {
-            spots.add_floor(floor, rays, nearest.distance, on_floor);
+            spots.add_floor((&world.scene, floor), rays, nearest.distance, on_floor);
         }
         for k in Bits(there & !spots.on) {
             let object = one(&nearest.objects, k);

@@ -176,7 +176,7 @@ fn triangles() {
 
 #[test]
 fn the_floor() {
-    let floor = Floor { colors: [GREY, GREY.map(|c| 2.0 * c)] };
+    let floor = Floor { colors: [GREY, GREY.map(|c| 2.0 * c)], material: PLAIN };
     let mut odd_tiles = 0;
     often(|random| {
         let rays = random.four(Random::ray);

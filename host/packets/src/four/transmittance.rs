@@ -120,7 +120,7 @@ impl Packets {
                     let ray = world.ray::<N>(shadows.rays.origin.lane(k), shadows.rays.direction.lane(k));
                     let is_open = shadows.open >> k & 1 == 1;
                     if is_open && cylinder.intersect(&ray, lane(&shadows.t_max, k)).is_some() {
-                        match transmitted::<_, N>(&cylinder.material) {
+                        match transmitted::<_, N>(world, cylinder.material) {
                             Some(kt) => one_mut(&mut shadows.filters, k).add(Object::Cylinder(i), kt),
                             None => shadows.open &= !(1 << k),
                         }
@@ -204,7 +204,7 @@ impl Packets {
             if hit != 0
                 && let Some(look) = world.scene.look::<N>(item)
             {
-                let through = transmitted::<_, N>(look.material);
+                let through = transmitted::<_, N>(world, look.material);
                 for k in Bits(hit) {
                     match through {
                         Some(kt) => one_mut(&mut shadows.filters, k).add(item, kt),
@@ -225,7 +225,7 @@ fn pass_planes<N: Needs>(world: &World<'_, f32>, shadows: &mut Shadows) {
     for (i, plane) in (0..).zip(world.scene.planes) {
         for k in Bits(shadows.open) {
             if plane.intersect(&shadows.rays.lane(k), lane(&shadows.t_max, k)).is_some() {
-                match transmitted::<_, N>(&plane.material) {
+                match transmitted::<_, N>(world, plane.material) {
                     Some(kt) => one_mut(&mut shadows.filters, k).add(Object::Plane(i), kt),
                     None => shadows.open &= !(1 << k),
                 }

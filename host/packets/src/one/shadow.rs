@@ -94,7 +94,7 @@ fn planes_are_open<S: ToF32, N: Needs>(
 ) -> bool {
     for (i, plane) in (0..).zip(world.scene.planes) {
         if plane.intersect(ray, t_max).is_some() {
-            match transmitted::<S, N>(&plane.material) {
+            match transmitted::<S, N>(world, plane.material) {
                 Some(kt) => filters.add(Object::Plane(i), kt),
                 None => return false,
             }
@@ -130,7 +130,7 @@ fn opaque_of<S: ToF32, N: Needs>(
 #[inline(never)] // so that a ray which meets nothing does not prepare for it
 fn is_opaque<S: ToF32, N: Needs>(world: &World<'_, S>, object: Object, filters: &mut Filters<S>) -> bool {
     let Some(look) = world.scene.look::<N>(object) else { return false };
-    match transmitted::<S, N>(look.material) {
+    match transmitted::<S, N>(world, look.material) {
         Some(kt) => filters.add(object, kt),
         None => return true,
     }

@@ -171,7 +171,7 @@ pub(crate) fn clusters(seed: u64) -> Description {
         }
     }
     if rng.u8(..4) == 0 {
-        scene.floor = Some(Floor { colors: [[0.9; 3], [0.2; 3]] });
+        scene.floor = Some(Floor { colors: [[0.9; 3], [0.2; 3]], surface: Surface::Opaque });
         for _ in 0..rng.usize(..6) {
             let (position, surface) = (about([0.0; 3], spread, rng), surface(rng));
             let radius = 0.2 * spread * rng.f64() + 0.001 * spread;

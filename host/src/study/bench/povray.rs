@@ -7,7 +7,7 @@ use core::fmt::Write;
 use std::collections::HashMap;
 
 use rta_core::vector::Vector;
-use rta_scenes::description::{Cone, Description, Lamp, Surface, Triangle};
+use rta_scenes::description::{self, Cone, Description, Kind, Lamp, Material, Surface, Triangle};
 use rta_scenes::narrow::narrow;
 
 use crate::engine::{EngineError, Model};
@@ -20,7 +20,13 @@ const REACH: f64 = 1000.0;
 /// # Errors
 /// None that a scene which can be traced has.
 pub fn scene(scene: &Description, model: Model, depth: u32, aspect: f64) -> Result<String, EngineError> {
-    let mut file = File { text: String::new(), materials: HashMap::new(), model, ambient: scene.ambient };
+    let mut file = File {
+        text: String::new(),
+        materials: HashMap::new(),
+        model,
+        ambient: scene.ambient,
+        named: &scene.materials,
+    };
     // Depth 0 is the eye's own ray. Nothing is left out for bringing little light.
     let level = depth + 1;
     file.line(format_args!(
@@ -45,15 +51,16 @@ pub fn scene(scene: &Description, model: Model, depth: u32, aspect: f64) -> Resu
 }
 
 /// A scene file that grows.
-struct File {
+struct File<'a> {
     text: String,
     /// The numbers of those that are declared.
     materials: HashMap<String, usize>,
     model: Model,
     ambient: [f64; 3],
+    named: &'a [Material],
 }
 
-impl File {
+impl File<'_> {
     fn line(&mut self, line: core::fmt::Arguments) {
         // A String takes all that is written to it.
         let _ = writeln!(self.text, "{line}");
@@ -170,7 +177,24 @@ impl File {
         format!("material {{ M{number} }}")
     }
 
+    /// Returns a surface that does not refer to a material with a name.
+    fn stated(&self, surface: &Surface) -> Surface {
+        if !matches!(surface, Surface::Of(_)) {
+            return *surface;
+        }
+        let material = Material::of(surface, self.named);
+        match (material.coefficients(), material.kind) {
+            (Some(description::Coefficients { kd, ks, kt, exponent, index: ior, .. }), _) => {
+                Surface::Finish { kd, ks, exponent, kt, ior }
+            }
+            (None, Kind::Shiny) => Surface::Shiny,
+            (None, Kind::Mirror) => Surface::Mirror,
+            (None, _) => Surface::Opaque,
+        }
+    }
+
     fn words(&self, color: [f64; 3], surface: &Surface) -> String {
+        let surface = &self.stated(surface);
         let Coefficients { diffuse, highlight, exponent, reflection, kt, ior } =
             Coefficients::of(color, surface, self.model);
         // The thesis's ambient term on a surface that stands upright.
@@ -205,7 +229,7 @@ impl Coefficients {
         let mirror =
             |ks: f64| if model == Model::Rta { color.map(|register| ks * register) } else { [ks; 3] };
         match *surface {
-            Surface::Opaque => Self { diffuse: 1.0, ..dark },
+            Surface::Opaque | Surface::Of(_) => Self { diffuse: 1.0, ..dark },
             Surface::Shiny => Self { diffuse: 1.0, highlight: 1.0, ..dark },
             Surface::Mirror => Self { reflection: mirror(1.0), ..dark },
             Surface::Transparent { ks, kt, ior } => Self { reflection: mirror(ks), kt, ior, ..dark },

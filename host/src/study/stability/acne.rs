@@ -9,7 +9,7 @@ use rta_core::scalar::Unit;
 use rta_core::surface::Surface;
 use rta_core::vector::{LengthVector, UnitVec3, UnitVector, Vector};
 use rta_core::world::Seen;
-use rta_scenes::description::{self, Description, Lamp};
+use rta_scenes::description::{self, Description, FallOff, Lamp};
 use rta_scenes::narrow::{Narrow, Narrowed, narrow};
 
 use super::body::Body;
@@ -43,7 +43,13 @@ pub(super) fn search<S: Narrow>(case: &Case, points: usize, rng: &mut Rng, measu
                 add(body.surface(sphere(rng)), sphere(rng), far)
             };
             scene.camera.eye = around();
-            scene.lamps = vec![Lamp { position: around(), color: [1.0; 3], radius: 0.0, line: 0 }];
+            scene.lamps = vec![Lamp {
+                position: around(),
+                color: [1.0; 3],
+                radius: 0.0,
+                fall_off: FallOff::OfModel,
+                line: 0,
+            }];
         }
         scene.lamps.truncate(1);
         let given = rounded::<S>(&scene);

@@ -1,7 +1,7 @@
 //! The cases: situations that are known to break ray tracers, each as a scene with rays that are aimed at them.
 
 use rta_scenes::description::{
-    Camera, Cone, Cylinder, Description, Ellipsoid, Floor, Lamp, Sky, Sphere, Surface, Triangle,
+    Camera, Cone, Cylinder, Description, Ellipsoid, FallOff, Floor, Lamp, Sky, Sphere, Surface, Triangle,
 };
 
 use super::aim::{Aim, Stand};
@@ -43,7 +43,7 @@ fn empty(eye: Triple, view: Triple) -> Description {
 
 /// A chequered floor and one lamp, seen from `eye`.
 fn plain(eye: Triple, view: Triple) -> Description {
-    let floor = Some(Floor { colors: [[0.9, 0.9, 0.9], [0.1, 0.1, 0.2]] });
+    let floor = Some(Floor { colors: [[0.9, 0.9, 0.9], [0.1, 0.1, 0.2]], surface: Surface::Opaque });
     Description { floor, ..empty(eye, view) }.lamp([-4.0, -5.0, 7.0], 60.0, 0.5)
 }
 
@@ -102,7 +102,7 @@ impl Add for Description {
     }
     fn lamp(mut self, position: Triple, intensity: f64, radius: f64) -> Self {
         let color = [intensity, intensity, 0.75 * intensity];
-        self.lamps.push(Lamp { position, color, radius, line: 0 });
+        self.lamps.push(Lamp { position, color, radius, fall_off: FallOff::OfModel, line: 0 });
         self
     }
     fn focal(mut self, focal: f64) -> Self {

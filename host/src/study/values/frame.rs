@@ -7,6 +7,7 @@ use rta_core::light::{Incident, Lamp};
 use rta_core::material::{Finish, Glass, Material};
 use rta_core::needs::Everything;
 use rta_core::scalar::{Scalar, Unit};
+use rta_core::scene::PLAIN;
 use rta_core::surface::Surface;
 use rta_core::vector::{UnitVec3, UnitVector, Vec3, Vector};
 use rta_scenes::narrow::{Narrow, exponent};
@@ -67,7 +68,9 @@ impl<S: Narrow> Lit<S> {
     /// Returns a surface with coefficients of its own.
     pub(super) fn finish(self, kd: f64, ks: f64, n: f64) -> Self {
         let glass = Glass { kt: S::Unit::ZERO, ..Glass::new(S::unit(ks), 1, 1) };
-        Self { material: Material::Finish(Finish { kd: S::unit(kd), exponent: exponent(n), glass }), ..self }
+        let (kd, exponent) = (S::unit(kd), exponent(n));
+        let finish = Finish { ka: kd, kd, exponent, reflected: exponent, glass };
+        Self { material: Material::Finish(finish), ..self }
     }
 
     /// Returns what the surface sends back by a model, of ambient light of radiance 0 or 1 and of a lamp of the intensity 1.
@@ -84,6 +87,7 @@ impl<S: Narrow> Lit<S> {
             extent: S::length(1.0),
             color: Rgb::new(one, one, one),
             material: &self.material,
+            number: PLAIN,
         };
         let lamp = Lamp::white(zero, S::ZERO, 1);
         let distance = S::length(1.0);

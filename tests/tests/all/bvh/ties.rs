@@ -62,7 +62,7 @@ fn doubled() -> Description {
     let vertices = [[0.0, 3.0, 0.0], [4.0, 3.0, 0.0], [0.0, 7.0, 0.0]];
     let triangle = Triangle { vertices, normals: None, one_sided: false, color: COLOR, surface, line: 0 };
     scene.triangles.push(triangle);
-    scene.floor = Some(Floor { colors: [COLOR; 2] });
+    scene.floor = Some(Floor { colors: [COLOR; 2], surface: Surface::Opaque });
     scene
 }
 
@@ -159,7 +159,7 @@ fn glasses(count: u32) -> Description {
         }
     }
     let position = [0.0, 3.0 * f64::from(count) + 9.0, 1.0];
-    scene.lamps.push(Lamp { position, color: [100.0; 3], radius: 0.0, line: 0 });
+    scene.lamps.push(Lamp { position, color: [100.0; 3], radius: 0.0, fall_off: FallOff::OfModel, line: 0 });
     scene
 }
 

@@ -1,0 +1,183 @@
+//! Materials with names, as the scene language has them.
+
+use super::Surface;
+use crate::gloss;
+
+/// A material: what a scene says of it. What it leaves out, the illumination model decides.
+///
+/// A material serves every model, so a model may not use all that is said.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Material {
+    /// Its name.
+    pub name: String,
+    /// Which of the thesis's types it is like, for the models that know no others.
+    pub kind: Kind,
+    /// Colour of objects that have none of their own, linear RGB, each 0 to 1.
+    pub color: Option<[f64; 3]>,
+    /// Coefficient of ambient light, ka, 0 to 1.
+    pub ambient: Option<f64>,
+    /// Diffuse coefficient, kd, 0 or more.
+    pub diffuse: Option<f64>,
+    /// Coefficient of light that shines through from behind, diffusely, 0 to 1.
+    pub back: Option<f64>,
+    /// Specular coefficient, ks, 0 or more: of highlights and of the reflected ray; in models of microfacets their share, s.
+    pub specular: Option<f64>,
+    /// Share of the light that is transmitted, kt, 0 or more.
+    pub transmit: Option<f64>,
+    /// Share of the light of the reflected ray, in models that have highlights without one, 0 to 1.
+    pub mirror: Option<f64>,
+    /// Exponent of highlights, 0 or more.
+    pub exponent: Option<f64>,
+    /// Angle in degrees at which highlights have half their strength, above 0 and below 45: it sets exponents and slopes where
+    /// these are not given.
+    pub gloss: Option<f64>,
+    /// Slopes of microfacets, at most four, whose shares add up to 1; none where the model's is taken.
+    pub slopes: Vec<Slope>,
+    /// Index of refraction of the inside with respect to the outside, above 0.
+    pub index: Option<f64>,
+    /// How the index depends on the wavelength; kept for pictures of several wavelengths.
+    pub dispersion: Option<Dispersion>,
+    /// What a metal reflects at perpendicular incidence, linear RGB, each 0 to 1.
+    pub metal: Option<[f64; 3]>,
+    /// Index of refraction n and coefficient of extinction k of a metal, of red, green and blue.
+    pub nk: Option<[[f64; 2]; 3]>,
+    /// What is left of light inside after a length of 1, linear RGB, each above 0 and at most 1.
+    pub absorb: Option<[f64; 3]>,
+    /// How a thin wall transmits more or less where it is seen at an angle.
+    pub edge: Option<Edge>,
+    /// Whether it is a thin wall: light goes straight through.
+    pub thin: bool,
+    /// Name of the texture that gives its colour.
+    pub texture: Option<String>,
+    /// Name of the texture that gives its bumps, and their height.
+    pub bump: Option<(String, f64)>,
+    /// Line of the source where it begins, from 1; 0 if it has none.
+    pub line: u32,
+}
+
+/// What decides the coefficients that a material does not state, and what the models take it for that know only the thesis's
+/// types.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Kind {
+    /// Type 0: diffuse.
+    #[default]
+    Opaque,
+    /// Type 1: diffuse with highlights.
+    Shiny,
+    /// Type 2: a perfect mirror.
+    Mirror,
+    /// Glass: it reflects a tenth of the light and transmits the rest where the model knows no better.
+    Glass,
+    /// A metal.
+    Metal,
+}
+
+/// Microfacets of one slope.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Slope {
+    /// Root of the mean square of their slopes, m, 0.01 to 1.
+    pub slope: f64,
+    /// Their part of all facets, 0 to 1.
+    pub share: f64,
+}
+
+/// How an index of refraction depends on the wavelength.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Dispersion {
+    /// By Cauchy's formula through the index at 587.5618 nm: the Abbe number, above 0.
+    Abbe(f64),
+    /// By Sellmeier's formula, `n^2 = offset + sum B l^2 / (l^2 - C)`, l in micrometres.
+    Sellmeier {
+        /// The first term, usually 1.
+        offset: f64,
+        /// B, and C in square micrometres.
+        terms: Vec<[f64; 2]>,
+    },
+}
+
+/// Transmission of a thin wall: `least + (most - least) (1 - (1 - N.V)^exponent)` (Kay 1979).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Edge {
+    /// The exponent: 1, 2 or 3.
+    pub exponent: u8,
+    /// Transmission at the edge, 0 to 1.
+    pub least: f64,
+    /// Transmission where the wall is seen perpendicularly, 0 to 1.
+    pub most: f64,
+}
+
+/// The coefficients of a material for the models that compute no reflectance of their own.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Coefficients {
+    /// Of ambient light, 0 or more.
+    pub ka: f64,
+    /// Diffuse, 0 or more.
+    pub kd: f64,
+    /// Specular, 0 or more.
+    pub ks: f64,
+    /// Share of the light that is transmitted, 0 or more.
+    pub kt: f64,
+    /// Exponent of highlights by the halfway vector, 0 or more.
+    pub exponent: f64,
+    /// Exponent of highlights around the reflected ray, 0 or more.
+    pub reflected: f64,
+    /// Index of refraction of the inside with respect to the outside, above 0.
+    pub index: f64,
+}
+
+/// The exponent of highlights where a scene states none.
+const EXPONENT: f64 = 50.0;
+
+impl Material {
+    /// Returns the material of a surface, by its number among `materials` where it has one there; a number that is too large means
+    /// a material that says nothing.
+    #[must_use]
+    pub fn of(surface: &Surface, materials: &[Self]) -> Self {
+        let said = Self::default();
+        match *surface {
+            Surface::Of(number) => materials.get(usize::from(number)).cloned().unwrap_or(said),
+            Surface::Shiny => Self { kind: Kind::Shiny, ..said },
+            Surface::Mirror => Self { kind: Kind::Mirror, ..said },
+            Surface::Transparent { ks, kt, ior } => {
+                Self { diffuse: Some(0.0), specular: Some(ks), transmit: Some(kt), index: Some(ior), ..said }
+            }
+            Surface::Finish { kd, ks, exponent, kt, ior } => Self {
+                diffuse: Some(kd),
+                specular: Some(ks),
+                exponent: Some(exponent),
+                transmit: Some(kt),
+                index: Some(ior),
+                ..said
+            },
+            Surface::Opaque => said,
+        }
+    }
+
+    /// Returns the coefficients; `None` for a material of one of the thesis's types 0 to 2 that states none.
+    #[must_use]
+    pub fn coefficients(&self) -> Option<Coefficients> {
+        let stated = [self.ambient, self.diffuse, self.specular, self.transmit, self.exponent, self.gloss];
+        let [kd, ks, kt] = match self.kind {
+            Kind::Glass => [0.0, 0.1, 0.9],
+            Kind::Metal => [0.4, 0.6, 0.0],
+            _ if stated.iter().all(Option::is_none) => return None,
+            Kind::Opaque => [1.0, 0.0, 0.0],
+            Kind::Shiny => [0.8, 0.2, 0.0],
+            Kind::Mirror => [0.0, 1.0, 0.0],
+        };
+        let kd = self.diffuse.unwrap_or(kd);
+        let by_gloss = |exponent: fn(f64) -> f64| {
+            self.exponent
+                .unwrap_or_else(|| self.gloss.map_or(EXPONENT, |angle| exponent(angle).clamp(1.0, 1000.0)))
+        };
+        Some(Coefficients {
+            ka: self.ambient.unwrap_or(kd),
+            kd,
+            ks: self.specular.unwrap_or(ks),
+            kt: self.transmit.unwrap_or(kt),
+            exponent: by_gloss(gloss::blinn),
+            reflected: by_gloss(gloss::phong),
+            index: self.index.unwrap_or(1.0),
+        })
+    }
+}

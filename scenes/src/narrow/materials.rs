@@ -1,0 +1,83 @@
+//! The table of materials: each once, however many objects have it.
+
+use std::collections::HashMap;
+
+use rta_core::material::{Finish, Glass, Material};
+use rta_core::scalar::Unit;
+use rta_core::scene::PLAIN;
+
+use super::check::{Checker, exponent};
+use super::{Narrow, NarrowError};
+use crate::description::{self, Coefficients, Kind, Surface};
+
+/// The materials that were met so far, in the order of their numbers.
+pub(super) struct Materials<'a, S: Narrow> {
+    named: &'a [description::Material],
+    numbers: HashMap<[u64; 6], u16>,
+    /// What the scene says of each.
+    pub(super) said: Vec<description::Material>,
+    /// What the tracer must know of each.
+    pub(super) narrowed: Vec<Material<S>>,
+}
+
+impl<'a, S: Narrow> Materials<'a, S> {
+    /// Returns an empty table for a scene with the materials `named`.
+    pub(super) fn new(named: &'a [description::Material]) -> Self {
+        Self { named, numbers: HashMap::new(), said: Vec::new(), narrowed: Vec::new() }
+    }
+
+    /// Returns the number of a surface's material; `check` names the object that has it.
+    pub(super) fn number(&mut self, check: &Checker<S>, surface: &Surface) -> Result<u16, NarrowError> {
+        let key = key(surface);
+        if let Some(&number) = self.numbers.get(&key) {
+            return Ok(number);
+        }
+        let number = u16::try_from(self.said.len()).ok().filter(|&number| number < PLAIN);
+        let number = number.ok_or_else(|| {
+            check.error("the number of its material", f64::from(PLAIN), f64::from(PLAIN - 1))
+        })?;
+        let said = description::Material::of(surface, self.named);
+        self.narrowed.push(narrow(check, &said)?);
+        self.said.push(said);
+        self.numbers.insert(key, number);
+        Ok(number)
+    }
+}
+
+/// Returns numbers that differ for different surfaces.
+fn key(surface: &Surface) -> [u64; 6] {
+    match *surface {
+        Surface::Opaque => [0; 6],
+        Surface::Shiny => [1, 0, 0, 0, 0, 0],
+        Surface::Mirror => [2, 0, 0, 0, 0, 0],
+        Surface::Transparent { ks, kt, ior } => [3, ks.to_bits(), kt.to_bits(), ior.to_bits(), 0, 0],
+        Surface::Finish { kd, ks, exponent, kt, ior } => {
+            [4, kd.to_bits(), ks.to_bits(), exponent.to_bits(), kt.to_bits(), ior.to_bits()]
+        }
+        Surface::Of(number) => [5, number.into(), 0, 0, 0, 0],
+    }
+}
+
+fn narrow<S: Narrow>(check: &Checker<S>, said: &description::Material) -> Result<Material<S>, NarrowError> {
+    let Some(Coefficients { ka, kd, ks, kt, exponent: halfway, reflected, index }) = said.coefficients()
+    else {
+        return Ok(match said.kind {
+            Kind::Shiny => Material::Shiny,
+            Kind::Mirror => Material::Mirror,
+            _ => Material::Opaque,
+        });
+    };
+    for coefficient in [ka, kd, ks, kt] {
+        check.at_most("a coefficient", coefficient, S::LARGEST_COLOR)?;
+    }
+    let [ka, kd, ks, kt] = [ka, kd, ks, kt].map(S::unit);
+    let eta = S::unit(if index > 1.0 { 1.0 / index } else { index });
+    let glass = Glass { ks, kt, eta, denser: index >= 1.0 };
+    // The thesis's type 3, which programs that know no other coefficients can draw.
+    let is_plain = said.exponent.is_none() && said.gloss.is_none();
+    if is_plain && ka == S::Unit::ZERO && kd == S::Unit::ZERO && kt > S::Unit::ZERO {
+        return Ok(Material::Transparent(glass));
+    }
+    let (exponent, reflected) = (exponent(halfway), exponent(reflected));
+    Ok(Material::Finish(Finish { ka, kd, exponent, reflected, glass }))
+}
