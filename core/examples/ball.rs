@@ -18,9 +18,9 @@ const INK: &[u8] = b" .:-=+*#%@";
 fn draw(port: &mut impl Write) -> Result<fmt::Result, rta_core::Error> {
     let length = |n: i32| Q16::from_num(n);
     let silver = Rgb::new(Unit::ratio(9, 10), Unit::ratio(9, 10), Unit::ratio(9, 10));
-    let ball = Sphere::new(Xyz::new(length(0), length(6), length(2)), length(2), silver, Material::Mirror);
+    let ball = Sphere::new(Xyz::new(length(0), length(6), length(2)), length(2), silver, 0);
     let lamp = Lamp::white(Xyz::new(length(-4), length(0), length(6)), length(1), 60);
-    let scene = Scene { spheres: &[ball], lamps: &[lamp], ..Scene::day() };
+    let scene = Scene { spheres: &[ball], materials: &[Material::Mirror], lamps: &[lamp], ..Scene::day() };
     let eye = Xyz::new(length(0), length(-1), length(2));
     let camera = Camera::new(eye, UnitVec3::<Q16>::Y, Lens::new(1, 1, (4, 3)));
     let scene = scene.admit(&camera)?; // no ray can overflow

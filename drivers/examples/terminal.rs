@@ -66,9 +66,9 @@ fn draw<D: Display<Error: 'static>>(display: D) -> Result<D, Box<dyn core::error
     let Capabilities { width, height, colors, gun_max, .. } = display.capabilities();
     let length = |n: i32| Q16::from_num(n);
     let gold = Rgb::new(Unit::ratio(9, 10), Unit::ratio(7, 10), Unit::ratio(3, 10));
-    let ball = Sphere::new(Xyz::new(length(0), length(5), length(2)), length(2), gold, Material::Mirror);
+    let ball = Sphere::new(Xyz::new(length(0), length(5), length(2)), length(2), gold, 0);
     let lamp = Lamp::white(Xyz::new(length(-4), length(0), length(6)), length(1), 60);
-    let scene = Scene { spheres: &[ball], lamps: &[lamp], ..Scene::day() };
+    let scene = Scene { spheres: &[ball], materials: &[Material::Mirror], lamps: &[lamp], ..Scene::day() };
     let eye = Xyz::new(length(0), length(-1), length(2));
     let camera = Camera::new(eye, UnitVec3::<Q16>::Y, Lens::new(1, 1, (4, 3)));
     let scene = scene.admit(&camera)?;

@@ -84,7 +84,7 @@ impl Request {
     /// # Errors
     /// [`RequestError::SceneSize`].
     pub fn for_scene(mut self, asked: Option<Model>, scene: &SceneFile) -> Result<Self, RequestError> {
-        self.model = asked.unwrap_or(scene.description.model.into());
+        self.model = asked.unwrap_or(scene.description.model);
         if let (Target::None, None, Some([width, height])) =
             (self.target, self.size, scene.description.raster)
         {

@@ -45,10 +45,10 @@ fn length(n: i32) -> Q16 {
 /// Draws a row of balls with the new accelerator and with the core's own: the pictures are equal.
 pub(crate) fn main() {
     let red = Rgb::new(Unit::ratio(9, 10), Unit::ratio(1, 5), Unit::ratio(1, 10));
-    let ball = |y| Sphere::new(Xyz::new(length(0), length(y), length(1)), length(1), red, Material::Shiny);
+    let ball = |y| Sphere::new(Xyz::new(length(0), length(y), length(1)), length(1), red, 0);
     let balls = [ball(12), ball(9), ball(6), ball(3)];
     let lamp = Lamp::white(Xyz::new(length(-4), length(0), length(6)), length(1), 60);
-    let scene = Scene { spheres: &balls, lamps: &[lamp], ..Scene::day() };
+    let scene = Scene { spheres: &balls, materials: &[Material::Shiny], lamps: &[lamp], ..Scene::day() };
     let eye =
         Camera::new(Xyz::new(length(1), length(-2), length(2)), UnitVec3::<Q16>::Y, Lens::new(1, 1, (4, 3)));
     let order = [3, 2, 1, 0].map(Object::Sphere);

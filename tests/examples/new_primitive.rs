@@ -11,6 +11,7 @@
 use rta_core::light::Incident;
 use rta_core::prelude::*;
 use rta_core::ray::Ray;
+use rta_core::scene::PLAIN;
 use rta_core::shape::Look;
 use rta_core::surface::Surface;
 
@@ -21,7 +22,7 @@ struct Disc<S: Scalar> {
     normal: UnitVec3<S>,
     radius: S,
     color: Rgb<S::Unit>,
-    material: Material<S>,
+    material: u16,
 }
 
 impl<S: Scalar> Primitive<S> for Disc<S> {
@@ -49,8 +50,8 @@ impl<S: Scalar> Primitive<S> for Disc<S> {
         SurfacePoint { distance: t, point: self.center + place, normal: self.normal }
     }
 
-    fn look(&self) -> Look<'_, S> {
-        let Self { center, radius, color, ref material, .. } = *self;
+    fn look(&self) -> Look<S> {
+        let Self { center, radius, color, material, .. } = *self;
         Look { color, material, extent: radius, center, radius, least: radius }
     }
 }
@@ -61,7 +62,7 @@ fn seen<S: Scalar>(disc: &Disc<S>, ray: &Ray<S>, lamp: &Lamp<S>) -> Option<Rgb<S
     let SurfacePoint { distance, point, normal } = disc.point::<Everything>(ray, t);
     let inside = normal.dot(ray.direction) > S::Unit::ZERO;
     let normal = if inside { -normal } else { normal };
-    let Look { color, material, extent, .. } = disc.look();
+    let Look { color, material: number, extent, .. } = disc.look();
     let surface = Surface {
         point,
         normal,
@@ -71,7 +72,8 @@ fn seen<S: Scalar>(disc: &Disc<S>, ray: &Ray<S>, lamp: &Lamp<S>) -> Option<Rgb<S
         inside,
         extent,
         color,
-        material,
+        material: &Material::Opaque, // a scene knows it by its number
+        number,
     };
     let incident = Incident::new(lamp, point, normal)?;
     Some(rta_core::trace::decision::direct::<S, _, Everything>(&Rta, &surface, &incident))
@@ -86,7 +88,7 @@ pub(crate) fn main() {
         normal: up,
         radius: 1.0,
         color: white,
-        material: Material::Opaque,
+        material: PLAIN,
     };
     let lamp = Lamp::new(Vector::new(0.0, 0.0, 2.0), 0.0, 4.0, white);
     let down = |x: f32| Ray::new(Vector::new(x, 0.0, 3.0), -up);

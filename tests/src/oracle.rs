@@ -155,7 +155,7 @@ impl<'a> Oracle<'a> {
                 sum([scale(ks, product(i_ref, hit.color)), scale(kt, i_tra)])
             }
             // Scenes in NFF have another model, and an oracle of their own.
-            Surface::Finish { .. } => [0.0; 3],
+            Surface::Finish { .. } | Surface::Of(_) => [0.0; 3],
         }
     }
 

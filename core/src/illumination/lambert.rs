@@ -64,6 +64,7 @@ mod tests {
                 extent: Q16::ONE,
                 color: white,
                 material: &Material::Opaque,
+                number: 0,
             };
             let mut incident = Incident::new(&lamp, surface.point, surface.normal).expect("it is above");
             incident.cosine = unit(cosine);

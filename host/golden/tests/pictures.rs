@@ -57,9 +57,9 @@ fn hashes_are_those_that_the_program_prints() {
 fn traced<T>(draw: impl FnOnce(&Tracer<'_, Q16, Rta, Everything, 8>, &Camera<Q16>) -> T) -> T {
     let length = |n: i32| Q16::from_num(n);
     let red = Rgb::new(Unit::ratio(9, 10), Unit::ratio(1, 5), Unit::ratio(1, 10));
-    let ball = Sphere::new(Xyz::new(length(0), length(5), length(1)), length(1), red, Material::Mirror);
+    let ball = Sphere::new(Xyz::new(length(0), length(5), length(1)), length(1), red, 0);
     let lamp = Lamp::white(Xyz::new(length(-4), length(0), length(6)), length(1), 60);
-    let scene = Scene { spheres: &[ball], lamps: &[lamp], ..Scene::day() };
+    let scene = Scene { spheres: &[ball], materials: &[Material::Mirror], lamps: &[lamp], ..Scene::day() };
     let eye =
         Camera::new(Xyz::new(length(0), length(0), length(2)), UnitVec3::<Q16>::Y, Lens::new(1, 1, (4, 3)));
     let admitted = scene.admit(&eye).expect("it fits");

@@ -24,7 +24,7 @@ use crate::request::scene_file::SceneFile;
 pub fn run(args: &BakeArgs) -> Result<(), Error> {
     let scene = SceneFile::open_as(&args.scene, args.reading.into())?;
     let aspect = args.aspect.ratio();
-    let model = args.model.unwrap_or(scene.description.model.into());
+    let model = args.model.unwrap_or(scene.description.model);
     let fit = Fit { format: args.format, aspect, model: Some(model), depth: 0, asked: args.fit };
     let description = fit.scaled(&scene);
     let recipe = Recipe { format: args.format, aspect, model };

@@ -3,7 +3,7 @@
 #![allow(clippy::indexing_slicing)] // a test may panic
 
 use super::{BakeError, Format, Model, Recipe, module};
-use crate::description::Description;
+use crate::description::{Description, FallOff};
 use crate::{dat, shipped};
 
 fn read(text: &str) -> Description {
@@ -18,10 +18,25 @@ fn source(scene: &Description, recipe: &Recipe) -> String {
 fn the_model_follows_the_one_that_a_scene_was_made_for() {
     let balls = crate::read(include_bytes!("../../balls2.nff"), "balls2.nff").expect("it ships");
     assert_eq!(balls.model, Model::Phong);
-    assert_eq!(Model::from(read(shipped::GLASS_2).model), Model::Rta);
-    let recipe = Recipe { model: balls.model.into(), ..Recipe::new(Format::Q16) };
+    assert_eq!(read(shipped::GLASS_2).model, Model::Rta);
+    let recipe = Recipe { model: balls.model, ..Recipe::new(Format::Q16) };
     assert!(needs(&source(&balls, &recipe), false).contains(&"ATTENUATION"));
-    assert!(needs(&source(&balls, &Recipe::new(Format::Q16)), true).contains(&"ATTENUATION"));
+    // Its lamps say that they are constant, whatever the model.
+    assert!(needs(&source(&balls, &Recipe::new(Format::Q16)), false).contains(&"ATTENUATION"));
+    let fading = |fall_off| {
+        let mut scene = balls.clone();
+        scene.lamps.iter_mut().take(1).for_each(|lamp| lamp.fall_off = fall_off);
+        let needs = needs_of(&scene, Model::Rta);
+        (needs.attenuation, needs.several_fall_offs)
+    };
+    assert_eq!(fading(FallOff::OfModel), (true, true));
+    assert_eq!(fading(FallOff::Constant), (false, false));
+}
+
+/// Returns what a scene needs in q16.
+fn needs_of(scene: &Description, model: Model) -> rta_core::needs::Used {
+    let narrowed = crate::narrow::narrow::<rta_core::Q16>(scene, 1.0).expect("it fits");
+    model.used(&narrowed.scene())
 }
 
 /// The names of the needs that are `value`, in the order in which they stand.
@@ -45,19 +60,41 @@ fn a_scene_needs_what_is_in_it_and_no_more() {
                 "GLASS",
                 "FINISH",
                 "SEVERAL_LAMPS",
+                "SEVERAL_FALL_OFFS",
                 "TRANSPARENT_SHADOWS",
             ][..],
         ),
         (
             shipped::HALL_22,
-            &["CONES", "TRIANGLES", "NORMALS", "PLANES", "GLASS", "FINISH", "TRANSPARENT_SHADOWS"],
+            &[
+                "CONES",
+                "TRIANGLES",
+                "NORMALS",
+                "PLANES",
+                "GLASS",
+                "FINISH",
+                "SEVERAL_FALL_OFFS",
+                "TRANSPARENT_SHADOWS",
+            ],
         ),
-        (shipped::GLASS_2, &["ELLIPSOIDS", "CONES", "TRIANGLES", "NORMALS", "PLANES", "CYLINDERS", "FINISH"]),
+        (
+            shipped::GLASS_2,
+            &[
+                "ELLIPSOIDS",
+                "CONES",
+                "TRIANGLES",
+                "NORMALS",
+                "PLANES",
+                "CYLINDERS",
+                "FINISH",
+                "SEVERAL_FALL_OFFS",
+            ],
+        ),
     ] {
         for format in [Format::F32, Format::F64, Format::Q16, Format::Q20] {
             let source = source(&read(text), &Recipe::new(format));
             assert_eq!(needs(&source, false), without);
-            assert_eq!(needs(&source, true).len() + without.len(), 19);
+            assert_eq!(needs(&source, true).len() + without.len(), 20);
         }
     }
 }
@@ -68,7 +105,17 @@ fn the_model_decides_what_is_needed() {
     let mut scene = read(shipped::GLASS_2);
     assert_eq!(
         needs(&source(&scene, &recipe), false),
-        ["ELLIPSOIDS", "CONES", "TRIANGLES", "NORMALS", "PLANES", "CYLINDERS", "FINISH", "ATTENUATION"]
+        [
+            "ELLIPSOIDS",
+            "CONES",
+            "TRIANGLES",
+            "NORMALS",
+            "PLANES",
+            "CYLINDERS",
+            "FINISH",
+            "ATTENUATION",
+            "SEVERAL_FALL_OFFS"
+        ]
     );
     // A shiny sphere alone: it reflects in Whitted's model only.
     scene.spheres.remove(0);

@@ -1,5 +1,5 @@
 use super::{Fitted, FloorError, fit, missing};
-use crate::description::{Cylinder, Description, Ellipsoid, Model, Surface};
+use crate::description::{Cylinder, Description, Ellipsoid, FallOff, Model, Surface};
 use crate::narrow::narrow;
 use crate::{Format, in_format, nff, read, shipped};
 
@@ -20,7 +20,7 @@ fn scene(model: Model) -> Description {
     scene.cylinders = vec![Cylinder { position, color, radius: 4.0, surface, line: 1 }];
     scene.ellipsoids =
         vec![Ellipsoid { position, color, radii: [4.0, 5.0, 6.0], inside_only: false, surface, line: 1 }];
-    scene.lamps.iter_mut().for_each(|lamp| lamp.radius = 2.0);
+    scene.lamps.iter_mut().for_each(|lamp| (lamp.radius, lamp.fall_off) = (2.0, FallOff::OfModel));
     scene
 }
 

@@ -22,7 +22,7 @@ fn between_them_they_hold_every_type_of_every_primitive() {
         Surface::Mirror => 2,
         Surface::Transparent { ior, .. } if *ior < 1.0 => 4,
         Surface::Transparent { .. } => 3,
-        Surface::Finish { .. } => 5,
+        Surface::Finish { .. } | Surface::Of(_) => 5,
     };
     let mut seen = std::collections::BTreeSet::new();
     for (_, scene) in all() {

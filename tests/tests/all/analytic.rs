@@ -6,9 +6,9 @@ use rta_core::camera::{Camera, Lens};
 use rta_core::color::Rgb;
 use rta_core::illumination::Illumination;
 use rta_core::light::Lamp;
-use rta_core::material::{Glass, Material};
+use rta_core::material::Glass;
 use rta_core::needs::Everything;
-use rta_core::scene::{Floor, Scene, Sky};
+use rta_core::scene::{Floor, PLAIN, Scene, Sky};
 use rta_core::shape::Sphere;
 use rta_core::trace::Tracer;
 use rta_scenes::narrow::Narrow;
@@ -63,8 +63,9 @@ fn dark<S: Measure>() -> Scene<'static, S> {
     }
 }
 
-fn sphere<S: Measure>(center: [f64; 3], radius: f64, tint: [f64; 3], material: Material<S>) -> Sphere<S> {
-    Sphere::new(place::<S>(center), S::length(radius), color::<S>(tint), material)
+/// Returns a sphere of the scene's first material.
+fn sphere<S: Measure>(center: [f64; 3], radius: f64, tint: [f64; 3]) -> Sphere<S> {
+    Sphere::new(place::<S>(center), S::length(radius), color::<S>(tint), 0)
 }
 
 fn lamp<S: Measure>(position: [f64; 3], radius: f64, intensity: [f64; 3]) -> Lamp<S> {

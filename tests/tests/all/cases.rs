@@ -149,8 +149,9 @@ fn lights_brighter_than_1_are_not_cut() {
             assert!(is_near(*bright, dim.map(|register| 2.0 * register)), "{format}: {bright:?} {dim:?}");
         }
     });
-    // Lamps that are made for the square law are.
-    let square = Description { model: rta_scenes::description::Model::Rta, ..bright };
+    // Lamps that do not say that they are constant are.
+    let mut square = bright;
+    square.lamps.iter_mut().for_each(|lamp| lamp.fall_off = rta_scenes::description::FallOff::OfModel);
     drawn(&square, |format, picture| {
         let dim = Picture::new(&dim, format);
         assert!(picture.1.iter().zip(&dim.1).all(|(bright, dim)| is_near(*bright, *dim)), "{format}");

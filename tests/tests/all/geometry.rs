@@ -10,10 +10,10 @@ use core::f64::consts::TAU;
 use core::fmt::Debug;
 
 use proptest::prelude::*;
-use rta_core::material::Material;
 use rta_core::needs::Everything;
 use rta_core::ray::Ray;
 use rta_core::scalar::{Scalar, Unit};
+use rta_core::scene::PLAIN;
 use rta_core::shape::{Cylinder, Ellipsoid, Primitive, Sphere, SurfacePoint};
 use rta_core::vector::{LengthVector, UnitVec3, UnitVector, Vec3, Vector};
 use rta_core::{Q16, Q20};
@@ -128,11 +128,9 @@ impl<S: Measure> Shape<S> {
         let (center, radii) = (place::<S>(aimed.center), aimed.radii);
         let (grey, radius) = (color::<S>([0.5; 3]), S::length(radii[0]));
         match aimed.kind {
-            Kind::Sphere => Self::Sphere(Sphere::new(center, radius, grey, Material::Opaque)),
-            Kind::Ellipsoid => {
-                Self::Ellipsoid(Ellipsoid::new(center, place::<S>(radii), grey, Material::Opaque))
-            }
-            Kind::Cylinder => Self::Cylinder(Cylinder::new(center, radius, grey, Material::Opaque)),
+            Kind::Sphere => Self::Sphere(Sphere::new(center, radius, grey, PLAIN)),
+            Kind::Ellipsoid => Self::Ellipsoid(Ellipsoid::new(center, place::<S>(radii), grey, PLAIN)),
+            Kind::Cylinder => Self::Cylinder(Cylinder::new(center, radius, grey, PLAIN)),
         }
     }
 

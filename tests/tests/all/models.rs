@@ -180,7 +180,7 @@ impl Illumination<f64> for OneSided {
 fn a_model_can_take_light_from_both_sides_by_solid_angle() {
     let mut scene = ball(description::Surface::Opaque);
     scene.spheres.clear();
-    scene.floor = Some(description::Floor { colors: [[0.5; 3]; 2], surface: Surface::Opaque });
+    scene.floor = Some(description::Floor { colors: [[0.5; 3]; 2], surface: description::Surface::Opaque });
     let lamp = shipped_scene("glass-2").lamps.first().expect("it has two").clone();
     let at = |position, radius| description::Lamp { position, radius, ..lamp.clone() };
     scene.lamps = vec![at([1.0, 1.0, 4.0], 0.8), at([4.0, 1.0, -4.0], 2.0)];

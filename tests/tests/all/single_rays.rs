@@ -10,10 +10,10 @@
 use fastrand::Rng;
 use rta::paired::{Format, Value};
 use rta_core::color::Rgb;
-use rta_core::material::Material;
 use rta_core::needs::Everything;
 use rta_core::ray::Ray;
 use rta_core::scalar::Unit;
+use rta_core::scene::PLAIN;
 use rta_core::shape::{Cylinder, Ellipsoid, Primitive, Sphere};
 use rta_core::vector::{UnitVec3, Vec3, Vector};
 use rta_core::{Q16, Q20};
@@ -169,7 +169,7 @@ fn meet<S: Format>(
     match target {
         Target::Sphere(radius) => {
             let radius = S::length(radius);
-            let sphere = Sphere::new(center, radius, gray, Material::Opaque);
+            let sphere = Sphere::new(center, radius, gray, PLAIN);
             let found =
                 sphere.intersect(ray, S::FAR).map(|t| (t, sphere.point::<Everything>(ray, t).distance));
             let r = [radius.value(); 3];
@@ -177,14 +177,14 @@ fn meet<S: Format>(
         }
         Target::Ellipsoid(radii) => {
             let (radii, r) = place::<S>(radii);
-            let ellipsoid = Ellipsoid::new(center, radii, gray, Material::Opaque);
+            let ellipsoid = Ellipsoid::new(center, radii, gray, PLAIN);
             let found =
                 ellipsoid.intersect(ray, S::FAR).map(|t| (t, ellipsoid.point::<Everything>(ray, t).distance));
             (found, root(over(origin, r), over(direction, r)))
         }
         Target::Cylinder(radius) => {
             let radius = S::length(radius);
-            let cylinder = Cylinder::new(center, radius, gray, Material::Opaque);
+            let cylinder = Cylinder::new(center, radius, gray, PLAIN);
             let found = cylinder
                 .intersect(&ray.with_plan(S::length(600.0)), S::FAR)
                 .map(|t| (t, cylinder.point::<Everything>(ray, t).distance));

@@ -12,7 +12,7 @@ use rta_core::sampling::Sampling;
 use rta_core::scalar::Radiance;
 use rta_core::{Q16, Q20};
 use rta_packets::picture::{self, Setup};
-use rta_scenes::description::{self, Description};
+use rta_scenes::description::Description;
 use rta_scenes::fit::{Fitted, fit};
 use rta_scenes::in_format;
 

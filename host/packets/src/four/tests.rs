@@ -7,6 +7,7 @@ use rta_core::color::Rgb;
 use rta_core::material::{Glass, Material};
 use rta_core::needs::Everything;
 use rta_core::ray::Ray;
+use rta_core::scene::PLAIN;
 use rta_core::shape::{Floor, Primitive, Sphere, Triangle};
 use rta_core::surface::Surface;
 use rta_core::trace::decision;
@@ -93,8 +94,8 @@ fn places_on_spheres() {
     let mut grazing = 0;
     often(|random| {
         let rays = random.four(Random::ray);
-        let spheres = random
-            .four(|random| Sphere::new(random.place(), random.number().abs() + 1e-3, GREY, Material::Opaque));
+        let spheres =
+            random.four(|random| Sphere::new(random.place(), random.number().abs() + 1e-3, GREY, PLAIN));
         let four = together(&rays);
         let t = numbers(random.four(|random| 2.0 * random.number()));
         let points = SurfacePoint4::on_spheres(spheres.each_ref(), 15, &four, t);
@@ -113,7 +114,7 @@ fn distances_of_spheres() {
     let mut hits = 0;
     often(|random| {
         let rays = random.four(Random::ray);
-        let sphere = Sphere::new(random.place(), random.number().abs() + 0.3, GREY, Material::Opaque);
+        let sphere = Sphere::new(random.place(), random.number().abs() + 0.3, GREY, PLAIN);
         let four = together(&rays);
         let found = four.meet_sphere(Vec3x4::splat(sphere.center), Vec4::splat(sphere.radius));
         for (k, ray) in rays.iter().enumerate() {
@@ -143,7 +144,7 @@ fn triangles() {
             normals: None,
             one_sided: false,
             color: GREY,
-            material: Material::Opaque,
+            material: PLAIN,
         };
         // Rays to places on it, and beside it.
         let rays = random.four(|random| {
@@ -223,6 +224,7 @@ fn rays_that_leave() {
                 extent: 1.0,
                 color: GREY,
                 material: &Material::Opaque,
+                number: PLAIN,
             };
             let right = decision::refract(&surface, &glasses[k]);
             assert_eq!((none >> k & 1 == 0).then(|| through.lane(k)), right);

@@ -5,7 +5,7 @@
 
 use fastrand::Rng;
 use rta_scenes::description::{
-    Camera, Cone, Cylinder, Description, Ellipsoid, Floor, Lamp, Plane, Sphere, Surface, Triangle,
+    Camera, Cone, Cylinder, Description, Ellipsoid, FallOff, Floor, Lamp, Plane, Sphere, Surface, Triangle,
 };
 use rta_scenes::{dat, shipped};
 
@@ -182,7 +182,13 @@ pub(crate) fn clusters(seed: u64) -> Description {
         let far = [0.5, 2.0, 10.0, 60.0][rng.usize(..4)] * spread;
         let radius = if rng.bool() { 0.05 * spread } else { 0.0 };
         let position = about([0.0; 3], far, rng);
-        scene.lamps.push(Lamp { position, radius, color: [0.3 * far * far; 3], line: 0 });
+        scene.lamps.push(Lamp {
+            position,
+            radius,
+            color: [0.3 * far * far; 3],
+            fall_off: FallOff::OfModel,
+            line: 0,
+        });
     }
     scene
 }

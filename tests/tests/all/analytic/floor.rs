@@ -57,10 +57,10 @@ fn shadow_of_a_sphere<S: Measure>() {
             // Once for the whole sphere, though the ray goes in and out.
             (Material::Transparent(glass::<S>(0.4, 1.5)), 0.6),
         ] {
-            let balls = [sphere::<S>(center, radius, WHITE, material)];
+            let balls = [sphere::<S>(center, radius, WHITE)];
+            let (materials, floor) = ([material], Some(floor(WHITE, WHITE)));
             let lamps = [lamp::<S>(position, 0.0, [50.0; 3])];
-            let scene =
-                Scene { spheres: &balls, lamps: &lamps, floor: Some(floor(WHITE, WHITE)), ..dark::<S>() };
+            let scene = Scene { spheres: &balls, materials: &materials, lamps: &lamps, floor, ..dark::<S>() };
             for step in 0..16 {
                 let (sine, cosine) = (f64::from(step) * core::f64::consts::TAU / 16.0).sin_cos();
                 for (share, through) in [(0.5, part), (0.999, part), (1.001, 1.0), (1.5, 1.0)] {

@@ -32,6 +32,7 @@ fn refracted<S: Measure>(degrees: f64, ior: f64, inside: bool) -> Option<[f64; 3
         extent: S::ZERO,
         color: color::<S>(WHITE),
         material: &Material::Transparent(glass),
+        number: 0,
     };
     refract(&surface, &glass).map(read_direction::<S>)
 }
@@ -74,9 +75,10 @@ fn total_internal_reflection<S: Measure>() {
 
 /// In a sphere all meetings with the surface are at one angle, so a ray is totally reflected at all of them or at none.
 fn nothing_leaves_beyond_the_critical_angle<S: Measure>() {
-    let ball = [sphere([0.0; 3], 2.0, WHITE, Material::Transparent(glass::<S>(0.1, 1.5)))];
+    let ball = [sphere([0.0; 3], 2.0, WHITE)];
+    let materials = [Material::Transparent(glass::<S>(0.1, 1.5))];
     let uniform = Sky { horizon: light::<S>(WHITE), zenith: light::<S>(WHITE) };
-    let scene = Scene { spheres: &ball, sky: uniform, ..dark::<S>() };
+    let scene = Scene { spheres: &ball, materials: &materials, sky: uniform, ..dark::<S>() };
     let at = |sine: f64, depth| see(scene, Rta, depth, [0.0, 0.0, 2.0 * sine], [1.0, 0.0, 0.0]);
     for depth in [1, 5, 16] {
         assert_eq!(at(0.675, depth), BLACK, "depth {depth}");
@@ -97,9 +99,9 @@ fn mirror<S: Measure>() {
     }
     // A mirror ball that is met at an angle shows the sky at twice that elevation.
     let tint = [0.9, 0.6, 0.3];
-    let ball = [sphere([0.0, 0.0, 3.0], 1.0, tint, Material::Mirror)];
+    let ball = [sphere([0.0, 0.0, 3.0], 1.0, tint)];
     let sky = Sky { horizon: light::<S>([0.2, 0.0, 1.0]), zenith: light::<S>([1.0, 0.5, 0.0]) };
-    let scene = Scene { spheres: &ball, sky, ..dark::<S>() };
+    let scene = Scene { spheres: &ball, materials: &[Material::Mirror], sky, ..dark::<S>() };
     for degrees in [0.0_f64, 15.0, 30.0, 45.0, 60.0] {
         let angle = degrees.to_radians();
         let s = (2.0 * angle).sin().powi(2);
@@ -115,8 +117,9 @@ fn mirror<S: Measure>() {
 fn glass_keeps_all_light<S: Measure>() {
     let uniform = Sky { horizon: light::<S>(WHITE), zenith: light::<S>(WHITE) };
     for (ks, ior) in [(0.3_f64, 1.5), (0.12, 1.52), (0.3, 1.0)] {
-        let ball = [sphere([0.0; 3], 1.0, WHITE, Material::Transparent(glass::<S>(ks, ior)))];
-        let scene = Scene { spheres: &ball, sky: uniform, ..dark::<S>() };
+        let ball = [sphere([0.0; 3], 1.0, WHITE)];
+        let materials = [Material::Transparent(glass::<S>(ks, ior))];
+        let scene = Scene { spheres: &ball, materials: &materials, sky: uniform, ..dark::<S>() };
         for height in [0.0, 0.3, 0.9] {
             for depth in [0, 1, 2, 5, 16] {
                 let missing = if depth == 0 { 1.0 } else { (1.0 - ks) * ks.powi(depth - 1) };

@@ -35,8 +35,14 @@ fn lit_plane<S: Measure>() {
 
 fn ambient_by_direction<S: Measure>() {
     for material in [Material::Opaque, Material::Shiny] {
-        let ball = [sphere::<S>([0.0, 0.0, 3.0], 1.0, [0.8, 0.4, 0.2], material)];
-        let scene = Scene { spheres: &ball, ambient: light::<S>([0.5, 1.0, 2.0]), ..dark::<S>() };
+        let ball = [sphere::<S>([0.0, 0.0, 3.0], 1.0, [0.8, 0.4, 0.2])];
+        let materials = [material];
+        let scene = Scene {
+            spheres: &ball,
+            materials: &materials,
+            ambient: light::<S>([0.5, 1.0, 2.0]),
+            ..dark::<S>()
+        };
         // (n.z + 1.5) 0.4
         for (from, factor) in [([0.0, 0.0, 5.0], 1.0), ([0.0, -5.0, 0.0], 0.6), ([0.0, 0.0, -5.0], 0.2)] {
             let eye = [from[0], from[1], from[2] + 3.0];
@@ -77,11 +83,13 @@ fn on_top<S: Measure>(
     distance: f64,
     intensity: [f64; 3],
 ) -> [f64; 3] {
-    let ball = [sphere([0.0, 0.0, -1.0], 1.0, tint, material)];
+    let ball = [sphere([0.0, 0.0, -1.0], 1.0, tint)];
+    let materials = [material];
     let (sine, cosine) = lamp_degrees.to_radians().sin_cos();
     let lamps = [lamp::<S>([-distance * sine, 0.0, distance * cosine], 0.0, intensity)];
     let (sine, cosine) = 40.0_f64.to_radians().sin_cos();
-    let scene = Scene { spheres: &ball, lamps: &lamps, ambient: light::<S>([0.1, 0.2, 0.3]), ..dark::<S>() };
+    let ambient = light::<S>([0.1, 0.2, 0.3]);
+    let scene = Scene { spheres: &ball, materials: &materials, lamps: &lamps, ambient, ..dark::<S>() };
     see(scene, model, 5, [5.0 * sine, 0.0, 5.0 * cosine], [-sine, 0.0, -cosine])
 }
 

@@ -8,7 +8,7 @@ use rta_core::scalar::Unit;
 use rta_core::scene::Object;
 use rta_core::{Q16, Q20};
 use rta_scenes::description::{
-    Camera, Cone, Cylinder, Description, Ellipsoid, Floor, Lamp, Sphere, Surface, Triangle,
+    Camera, Cone, Cylinder, Description, Ellipsoid, FallOff, Floor, Lamp, Sphere, Surface, Triangle,
 };
 use rta_scenes::narrow::{Narrow, narrow};
 
@@ -172,7 +172,9 @@ fn row<S: Narrow>(count: u32) -> bool {
         aim::<S>(scene.camera.eye, scene.lamps.first().expect("there is one").position).expect("it is away");
     let (ray, t_max) = (lists.ray::<Everything>(origin, direction), S::length(length));
     let mut parts = Vec::new();
-    lists.scene.looks(|_, look| parts.extend(look.material.glass::<Everything>().map(|glass| glass.kt)));
+    lists.scene.looks(|_, look| {
+        parts.extend(lists.scene.material(look.material).glass::<Everything>().map(|glass| glass.kt))
+    });
     let product = |parts: &[S::Unit]| parts.iter().fold(S::Unit::ONE, |all, part| all.times(*part));
     let right = product(&parts);
     assert_eq!(parts.len(), usize::try_from(count).expect("few"));

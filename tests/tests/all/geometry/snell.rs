@@ -1,7 +1,7 @@
 //! Refraction obeys Snell's law.
 
 use rta_core::color::Rgb;
-use rta_core::material::Glass;
+use rta_core::material::{Glass, Material};
 use rta_core::surface::Surface;
 use rta_core::trace::decision::refract;
 
@@ -29,6 +29,7 @@ pub(super) fn check<S: Measure>(
         extent: S::ZERO,
         color: Rgb::new(half, half, half),
         material: &material,
+        number: 0,
     };
     let sine = |v: UnitVec3<S>| {
         let (v, n) = (read_direction::<S>(v), read_direction::<S>(normal));
