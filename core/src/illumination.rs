@@ -6,14 +6,19 @@
 pub mod fade;
 pub mod fresnel;
 pub mod microfacet;
+mod passage;
+pub mod table;
 mod weight;
 
+pub use passage::{Passage, Way};
+use table::rowless;
 pub use weight::Weight;
 
 use crate::color::Rgb;
 use crate::light::Incident;
 use crate::needs::Needs;
 use crate::scalar::Scalar;
+use crate::scalar::vector::Vec3;
 use crate::surface::Surface;
 
 /// Declares the module of each model, and lets other crates repeat something for each of them.
@@ -64,11 +69,23 @@ pub struct Secondary<W> {
     pub reflected: Option<W>,
     /// Weight of the transmitted ray; where there is total internal reflection, it is added to the reflected ray's.
     pub transmitted: Option<W>,
+    /// Where the transmitted ray goes.
+    pub bend: Bend,
+}
+
+/// Where a transmitted ray goes.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Bend {
+    /// By Snell's law, where the material has an index of refraction.
+    #[default]
+    Refracted,
+    /// Straight on, as through a thin wall.
+    Straight,
 }
 
 impl<W> Secondary<W> {
     /// No secondary rays.
-    pub const NONE: Self = Self { reflected: None, transmitted: None };
+    pub const NONE: Self = Self { reflected: None, transmitted: None, bend: Bend::Refracted };
 }
 
 /// A model of illumination for scenes in the scalar `S`.
@@ -78,6 +95,9 @@ pub trait Illumination<S: Scalar>: Send + Sync {
 
     /// Whether lamps behind the surface light it too, as for translucent materials.
     const BOTH_SIDES: bool = false;
+
+    /// Whether a ray inside of a material sees lamps outside through its surface.
+    const REFRACTS_LAMPS: bool = false;
 
     /// Whether shiny surfaces reflect, and mirrors and glass show highlights. The [`Needs`] of a scene are
     /// derived from it; true, the default, may compile in more code than necessary, never less.
@@ -99,4 +119,18 @@ pub trait Illumination<S: Scalar>: Send + Sync {
 
     /// Returns the weights of the secondary rays of the point.
     fn secondary<N: Needs>(&self, surface: &Surface<S>) -> Secondary<Self::Weight>;
+
+    /// Whether [`Illumination::along`] does anything.
+    const ALONG: bool = false;
+
+    /// Returns what happens to the light of a ray on its way; `None`, the default, if nothing does. `lit` returns the part of the
+    /// light of a lamp, by its number, that reaches a place, 0 to 1; it traces a shadow ray.
+    fn along<N: Needs>(
+        &self,
+        way: &Way<S>,
+        lit: impl FnMut(Vec3<S>, usize) -> S::Unit,
+    ) -> Option<Passage<S, Self::Weight>> {
+        let _ = (way, lit);
+        None
+    }
 }

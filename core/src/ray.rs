@@ -16,6 +16,15 @@ pub enum RayKind {
     Shadow,
 }
 
+/// Where a ray starts and where it goes.
+#[derive(Clone, Copy, Debug)]
+pub struct Start<S: Scalar> {
+    /// The place where it starts.
+    pub origin: Vec3<S>,
+    /// The unit vector along it.
+    pub direction: UnitVec3<S>,
+}
+
 /// The places `origin + t direction`, `t > 0`.
 #[derive(Clone, Copy, Debug)]
 pub struct Ray<S: Scalar> {

@@ -19,7 +19,7 @@ pub use observer::Observer;
 use crate::accelerator::{Accelerator, Lists};
 use crate::color::Rgb;
 use crate::error::Error;
-use crate::illumination::{Illumination, Weight};
+use crate::illumination::{Illumination, Passage, Way, Weight};
 use crate::light::Incident;
 use crate::material::Glass;
 use crate::needs::Needs;
@@ -109,13 +109,12 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Acceler
     ) -> Rgb<S::Light> {
         let mut current = Pending { start: Start { origin, direction }, branch: Branch::eye::<S>() };
         if !N::MIRROR {
-            return self.local(&current, memory, observer).0;
+            return self.arrived(&mut current, memory, observer).0;
         }
         let mut pending = Stack::<S, M::Weight, STACK>::new();
         let mut light = Rgb::BLACK;
         loop {
-            let (own, surface) = self.local(&current, memory, observer);
-            let weighted = current.branch.weight.filter(own);
+            let (weighted, surface) = self.arrived(&mut current, memory, observer);
             observer.light(weighted);
             light = light.plus(weighted);
             let next = match surface {
@@ -131,11 +130,48 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Acceler
         }
     }
 
-    /// Returns the radiance of one ray without its secondary rays, and the surface that it meets, if any.
+    /// Returns the part of the radiance of one ray, without its secondary rays, that arrives in the pixel, and the surface that the
+    /// ray meets, if any. What is lost on the ray's way is lost to the secondary rays too: the ray's weight is changed.
+    #[cfg_attr(not(target_os = "none"), inline(always))]
+    fn arrived<O: Observer<S> + ?Sized>(
+        &self,
+        current: &mut Pending<S, M::Weight>,
+        memory: &mut A::Memory,
+        observer: &mut O,
+    ) -> (Rgb<S::Light>, Option<Surface<'_, S>>) {
+        let mut length = None;
+        let (own, surface) = self.local(current, &mut length, memory, observer);
+        let weight = current.branch.weight;
+        if M::ALONG {
+            let way =
+                Way { kind: current.branch.kind, start: current.start, length, surface: surface.as_ref() };
+            let lit = |place, lamp| self.reached(place, lamp, memory);
+            if let Some(Passage { weight: part, veil }) = self.model.along::<N>(&way, lit) {
+                current.branch.weight = weight.compose(part);
+                let light = current.branch.weight.filter(own).plus(weight.filter(veil));
+                return (light, surface);
+            }
+        }
+        (if N::MIRROR { weight.filter(own) } else { own }, surface)
+    }
+
+    /// Returns the part of the light of a lamp, by its number, that reaches a place in the air, 0 to 1.
+    fn reached(&self, place: Vec3<S>, number: usize, memory: &mut A::Memory) -> S::Unit {
+        let Some(lamp) = self.scene.scene.lamps.get(number).filter(|_| N::SHADOWS) else {
+            return S::Unit::ONE;
+        };
+        let Some((direction, distance, _)) = (lamp.position - place).normalize() else { return S::Unit::ONE };
+        let ray = self.ray(Start { origin: place, direction });
+        self.scene.accelerator().transmittance::<N>(self.scene, &ray, distance, number, memory)
+    }
+
+    /// Returns the radiance of one ray without its secondary rays, and the surface that it meets, if any. `length` becomes the
+    /// length of the ray, if it meets anything and if the model asks for it.
     #[cfg_attr(not(target_os = "none"), inline(always))]
     fn local<O: Observer<S> + ?Sized>(
         &self,
         current: &Pending<S, M::Weight>,
+        length: &mut Option<S>,
         memory: &mut A::Memory,
         observer: &mut O,
     ) -> (Rgb<S::Light>, Option<Surface<'_, S>>) {
@@ -143,6 +179,9 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Acceler
         observer.ray(branch.kind, branch.depth, &current.start);
         let ray = self.ray(current.start);
         let hit = scene.accelerator().closest::<N>(scene, &ray, memory);
+        if M::ALONG {
+            *length = hit.map(|hit| hit.distance);
+        }
         let ray = if A::WITH_PLAN { ray } else { scene.planned::<N>(ray, hit.as_ref()) };
         let surface = match scene.seen::<N>(&ray, hit) {
             Seen::Light(light) => {
@@ -220,7 +259,9 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Acceler
             direction.map(|direction| start(direction, false))
         };
         let place = (&parent.branch, self.cutoff);
-        let [transmitted, reflected] = branch::<S, M, N>(&self.model, surface, place, reflected, refracted);
+        let straight = || start(surface.incoming, false);
+        let [transmitted, reflected] =
+            branch::<S, M, N>(&self.model, surface, place, reflected, refracted, straight);
         if is_total {
             observer.total_reflection();
         }

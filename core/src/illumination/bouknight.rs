@@ -1,7 +1,7 @@
 //! W. J. Bouknight, "A Procedure for Generation of Three-dimensional Half-toned Computer Graphics Presentations",
 //! Communications of the ACM 13 (1970).
 
-use super::{Illumination, Secondary};
+use super::{Illumination, Secondary, rowless};
 use crate::color::Rgb;
 use crate::light::Incident;
 use crate::needs::Needs;
@@ -53,3 +53,5 @@ impl<S: Scalar> Illumination<S> for Bouknight<S> {
         Secondary::NONE
     }
 }
+
+rowless!(Bouknight<S>);

@@ -1,6 +1,6 @@
 //! No model at all: each surface looks as if it were lit evenly from everywhere.
 
-use super::{Illumination, Secondary};
+use super::{Illumination, Secondary, rowless};
 use crate::color::Rgb;
 use crate::light::Incident;
 use crate::needs::Needs;
@@ -32,3 +32,5 @@ impl<S: Scalar> Illumination<S> for Flat {
         Secondary::NONE
     }
 }
+
+rowless!(Flat);

@@ -1,6 +1,6 @@
 //! J. H. Lambert, "Photometria" (1760): a surface that looks equally bright from everywhere.
 
-use super::{Illumination, Secondary};
+use super::{Illumination, Secondary, rowless};
 use crate::color::Rgb;
 use crate::light::Incident;
 use crate::needs::Needs;
@@ -36,6 +36,8 @@ impl<S: Scalar> Illumination<S> for Lambert {
         Secondary::NONE
     }
 }
+
+rowless!(Lambert);
 
 #[cfg(test)]
 mod tests {

@@ -1,7 +1,7 @@
 //! G. W. Romney, "Computer Assisted Assembly and Rendering of Solids", University of Utah (1970).
 
 use super::fade::fade;
-use super::{Illumination, Secondary};
+use super::{Illumination, Secondary, rowless};
 use crate::color::Rgb;
 use crate::light::Incident;
 use crate::needs::Needs;
@@ -56,3 +56,10 @@ impl<S: Scalar> Illumination<S> for Romney<S> {
         Secondary::NONE
     }
 }
+
+rowless!(
+    Romney<S>,
+    fn focused(self, reference: S) -> Self {
+        Self { reference, ..self }
+    }
+);

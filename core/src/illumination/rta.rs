@@ -1,6 +1,6 @@
 //! The modified Whitted model of the thesis (Graham 1987).
 
-use super::{Illumination, Secondary};
+use super::{Bend, Illumination, Secondary, rowless};
 use crate::color::Rgb;
 use crate::light::Incident;
 use crate::material::{Finish, Material};
@@ -69,15 +69,19 @@ impl<S: Scalar> Illumination<S> for Rta {
             return Secondary {
                 reflected: (glass.ks > S::Unit::ZERO).then(|| surface.color.map(|c| c.times(glass.ks))),
                 transmitted: surface.material.glass::<N>().map(|glass| white(glass.kt)),
+                bend: Bend::Refracted,
             };
         }
         match surface.material {
-            Material::Mirror => Secondary { reflected: Some(surface.color), transmitted: None },
+            Material::Mirror => Secondary { reflected: Some(surface.color), ..Secondary::NONE },
             Material::Transparent(glass) => Secondary {
                 reflected: Some(surface.color.map(|c| c.times(glass.ks))),
                 transmitted: Some(white(glass.kt)),
+                bend: Bend::Refracted,
             },
             _ => Secondary::NONE,
         }
     }
 }
+
+rowless!(Rta);

@@ -1,6 +1,6 @@
 //! T. Whitted, "An Improved Illumination Model for Shaded Display", Communications of the ACM 23 (1980), section 2.
 
-use super::{Illumination, Secondary};
+use super::{Bend, Illumination, Secondary, rowless};
 use crate::color::Rgb;
 use crate::light::Incident;
 use crate::material::{Finish, Material};
@@ -116,6 +116,9 @@ impl<S: Scalar> Illumination<S> for Whitted<S> {
         Secondary {
             reflected: (ks > S::Unit::ZERO).then_some(ks),
             transmitted: surface.material.glass::<N>().map(|glass| glass.kt),
+            bend: Bend::Refracted,
         }
     }
 }
+
+rowless!(Whitted<S>);

@@ -3,23 +3,15 @@
 //! The decisions are apart from the computation of directions, so that a tracer of several rays side by side shares them.
 
 use crate::color::Rgb;
-use crate::illumination::{Illumination, Weight};
+use crate::illumination::{Bend, Illumination, Weight};
 use crate::light::Incident;
 use crate::material::Glass;
 use crate::needs::Needs;
 use crate::ray::RayKind;
-use crate::scalar::vector::{UnitVec3, UnitVector, Vec3};
+pub use crate::ray::Start;
+use crate::scalar::vector::{UnitVec3, UnitVector};
 use crate::scalar::{Light, Scalar, Unit};
 use crate::surface::Surface;
-
-/// Where a ray starts and where it goes.
-#[derive(Clone, Copy, Debug)]
-pub struct Start<S: Scalar> {
-    /// The place where it starts.
-    pub origin: Vec3<S>,
-    /// The unit vector along it.
-    pub direction: UnitVec3<S>,
-}
 
 /// The place of a ray in the ray tree.
 #[derive(Clone, Copy, Debug)]
@@ -43,13 +35,15 @@ impl<W> Branch<W> {
 }
 
 /// Returns the radiance that a surface sends back of a lamp, before shadows: black where the lamp is behind the surface, unless
-/// the model lights [both sides](Illumination::BOTH_SIDES).
+/// the model lights [both sides](Illumination::BOTH_SIDES), or its lamps shine
+/// [into](Illumination::REFRACTS_LAMPS) a material.
 pub fn direct<S: Scalar, M: Illumination<S>, N: Needs>(
     model: &M,
     surface: &Surface<S>,
     incident: &Incident<S>,
 ) -> Rgb<S::Light> {
-    if !M::BOTH_SIDES && surface.is_behind::<N>(incident) {
+    let is_asked = M::BOTH_SIDES || (M::REFRACTS_LAMPS && surface.inside);
+    if !is_asked && surface.is_behind::<N>(incident) {
         return Rgb::BLACK;
     }
     model.direct::<N>(surface, incident)
@@ -65,7 +59,8 @@ type Spawned<S, W> = Option<(Branch<W>, Start<S>)>;
 
 /// Returns the transmitted and the reflected ray that a surface spawns, with the model's weights. A ray whose weight is below
 /// `cutoff` is left out. `reflected` computes the start of the reflected ray, `refracted` that of the transmitted ray, or `None`
-/// where there is total internal reflection; then the weights of both are joined in the reflected ray.
+/// where there is total internal reflection; then the weights of both are joined in the reflected ray. `straight` computes the start
+/// of a transmitted ray that is not bent.
 #[cfg_attr(not(target_os = "none"), inline(always))]
 pub fn branch<S: Scalar, M: Illumination<S>, N: Needs>(
     model: &M,
@@ -73,6 +68,7 @@ pub fn branch<S: Scalar, M: Illumination<S>, N: Needs>(
     (parent, cutoff): (&Branch<M::Weight>, S::Unit),
     reflected: impl FnOnce() -> Start<S>,
     refracted: impl FnOnce(&Glass<S>) -> Option<Start<S>>,
+    straight: impl FnOnce() -> Start<S>,
 ) -> [Spawned<S, M::Weight>; 2] {
     let secondary = model.secondary::<N>(surface);
     let ray = |weight: M::Weight, kind| {
@@ -81,11 +77,18 @@ pub fn branch<S: Scalar, M: Illumination<S>, N: Needs>(
     };
     let (mut transmitted, mut mirrored) = (None, secondary.reflected);
     if N::GLASS
-        && let (Some(glass), Some(through)) = (surface.material.glass::<N>(), secondary.transmitted)
+        && let Some(through) = secondary.transmitted
     {
-        match refracted(glass) {
-            Some(start) => transmitted = ray(through, RayKind::Transmitted).map(|branch| (branch, start)),
-            None => mirrored = Some(mirrored.map_or(through, |weight| weight.join(through))),
+        let start = match secondary.bend {
+            Bend::Refracted => surface.material.glass::<N>().map(refracted),
+            Bend::Straight => Some(Some(straight())),
+        };
+        match start {
+            None => {}
+            Some(Some(start)) => {
+                transmitted = ray(through, RayKind::Transmitted).map(|branch| (branch, start));
+            }
+            Some(None) => mirrored = Some(mirrored.map_or(through, |weight| weight.join(through))),
         }
     }
     let mirrored = mirrored.and_then(|weight| ray(weight, RayKind::Reflected));
