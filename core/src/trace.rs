@@ -156,7 +156,7 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Acceler
     }
 
     /// Returns the part of the light of a lamp, by its number, that reaches a place in the air, 0 to 1.
-    fn reached(&self, place: Vec3<S>, number: usize, memory: &mut A::Memory) -> S::Unit {
+    pub fn reached(&self, place: Vec3<S>, number: usize, memory: &mut A::Memory) -> S::Unit {
         let Some(lamp) = self.scene.scene.lamps.get(number).filter(|_| N::SHADOWS) else {
             return S::Unit::ONE;
         };

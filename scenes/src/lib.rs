@@ -33,11 +33,13 @@ pub mod fit;
 pub mod format;
 pub mod gloss;
 mod lines;
+#[macro_use]
 pub mod model;
 pub mod narrow;
 pub mod nff;
 mod numbers;
 mod reading;
+pub mod shading;
 pub mod shipped;
 pub mod space;
 mod tokens;

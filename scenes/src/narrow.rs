@@ -18,6 +18,7 @@ mod error;
 mod formats;
 mod materials;
 mod plane;
+mod properties;
 pub mod triangle;
 
 use check::Checker;

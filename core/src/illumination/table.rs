@@ -14,6 +14,23 @@ pub const MOST_SLOPES: usize = 4;
 /// The type of [`Positive`](crate::scalar::Positive) numbers of a format.
 pub type PositiveOf<S> = <<S as Scalar>::Unit as Unit>::Positive;
 
+/// What decides the coefficients that a material does not state, and what the models take it for that know only the thesis's
+/// types.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Kind {
+    /// Type 0: diffuse.
+    #[default]
+    Opaque,
+    /// Type 1: diffuse with highlights.
+    Shiny,
+    /// Type 2: a perfect mirror.
+    Mirror,
+    /// Glass: it reflects a tenth of the light and transmits the rest where the model knows no better.
+    Glass,
+    /// A metal.
+    Metal,
+}
+
 /// What a scene says of a material, in the numbers of a format. What it does not say is `None`; then the model decides.
 pub trait Properties<S: Scalar> {
     /// Returns ka, the coefficient of ambient light, 0 or more.
@@ -36,8 +53,8 @@ pub trait Properties<S: Scalar> {
     fn roundness(&self) -> Option<S::Unit>;
     /// Returns the slope number `index`, from 0, of [`Beckmann`](super::microfacet::Beckmann).
     fn slope(&self, index: usize) -> Option<Roughness<S::Unit>>;
-    /// Returns whether it is a metal.
-    fn is_metal(&self) -> bool;
+    /// Returns what it is like where it states nothing.
+    fn kind(&self) -> Kind;
     /// Returns the reflectance at perpendicular incidence: of a metal, or by the index of refraction.
     fn reflectance(&self) -> Option<Rgb<S::Unit>>;
     /// Returns the index of refraction: the smaller of the indices inside and outside over the larger, and whether the inside has the
@@ -107,7 +124,7 @@ macro_rules! rowless {
             type Row = ();
             type Over<'r> = Self;
             fn row(&self, _material: &impl $crate::illumination::table::Properties<S>) {}
-            fn over<'r>(&self, _rows: &'r [()]) -> Self {
+            fn over(&self, _rows: &[()]) -> Self {
                 *self
             }
             $($more)?

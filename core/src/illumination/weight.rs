@@ -13,6 +13,8 @@ pub trait Weight<S: Scalar>: Copy + core::fmt::Debug + Send + Sync {
     fn join(self, other: Self) -> Self;
     /// Returns `light` times the weight.
     fn filter(self, light: Rgb<S::Light>) -> Rgb<S::Light>;
+    /// Returns the weight of each register.
+    fn registers(self) -> Rgb<S::Unit>;
     /// Returns whether the weight is below `threshold` in every register.
     fn is_below(self, threshold: S::Unit) -> bool;
 }
@@ -27,6 +29,9 @@ impl<S: Scalar<Unit = U>, U: Unit> Weight<S> for U {
     }
     fn filter(self, light: Rgb<S::Light>) -> Rgb<S::Light> {
         light.map(|l| l.times(self))
+    }
+    fn registers(self) -> Rgb<U> {
+        Rgb::new(self, self, self)
     }
     fn is_below(self, threshold: U) -> bool {
         self < threshold
@@ -43,6 +48,9 @@ impl<S: Scalar<Unit = U>, U: Unit> Weight<S> for Rgb<U> {
     }
     fn filter(self, light: Rgb<S::Light>) -> Rgb<S::Light> {
         light.zip(self, Light::times)
+    }
+    fn registers(self) -> Self {
+        self
     }
     fn is_below(self, threshold: U) -> bool {
         self.r < threshold && self.g < threshold && self.b < threshold

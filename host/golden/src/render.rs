@@ -5,14 +5,13 @@ use std::path::Path;
 
 use rta_core::Error;
 use rta_core::accelerator::Accelerator;
-use rta_core::camera::Camera;
 use rta_core::needs::Everything;
-use rta_core::scene::Scene;
 use rta_core::trace::Tracer;
 use rta_scenes::accelerator::bvh;
 use rta_scenes::description::Description;
-use rta_scenes::narrow::{Narrow, narrow};
-use rta_scenes::{Format, Model, OutOfRange, in_format, in_model};
+use rta_scenes::narrow::{Narrow, Narrowed, narrow};
+use rta_scenes::shading::Shaded;
+use rta_scenes::{Format, Model, OutOfRange, in_format};
 
 use crate::error::DrawError;
 use crate::picture::Picture;
@@ -69,8 +68,8 @@ impl Render {
         let narrowed = narrow::<S>(scene, self.screen.aspect()?)?;
         let built = bvh::build::<S>(scene);
         let traced = match built.bvh() {
-            Some(bvh) => self.search(scene, narrowed.scene(), &narrowed.camera, bvh),
-            None => self.search(scene, narrowed.scene(), &narrowed.camera, rta_core::accelerator::Lists),
+            Some(bvh) => self.search(scene, &narrowed, bvh),
+            None => self.search(scene, &narrowed, rta_core::accelerator::Lists),
         };
         traced.map_err(|error| match error {
             DrawError::Tracer(error) if !matches!(error, Error::Depth { .. } | Error::Raster { .. }) => {
@@ -83,14 +82,12 @@ impl Render {
     fn search<S: Narrow>(
         &self,
         described: &Description,
-        scene: Scene<'_, S>,
-        camera: &Camera<S>,
+        narrowed: &Narrowed<S>,
         accelerator: impl Accelerator<S>,
     ) -> Result<Picture, DrawError> {
-        let admitted = scene.admit_with(camera, accelerator)?;
-        in_model!(self.model.unwrap_or(described.model), model => {
-            let tracer: Tracer<_, _, Everything, STACK, _> = Tracer::new(&admitted, model, self.depth)?;
-            self.screen.trace(&tracer, camera)
-        })
+        let admitted = narrowed.scene().admit_with(&narrowed.camera, accelerator)?;
+        let model = Shaded::new(self.model.unwrap_or(described.model), narrowed, &admitted);
+        let tracer: Tracer<_, _, Everything, STACK, _> = Tracer::new(&admitted, model, self.depth)?;
+        self.screen.trace(&tracer, &narrowed.camera)
     }
 }

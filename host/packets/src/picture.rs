@@ -6,7 +6,7 @@ use core::fmt;
 
 use rta_core::Error;
 use rta_core::color::Rgb;
-use rta_core::illumination::Illumination;
+use rta_core::illumination::{Illumination, Phong, Rta, Whitted};
 use rta_core::needs::Everything;
 use rta_core::range::Admitted;
 use rta_core::raster::Raster;
@@ -17,9 +17,9 @@ use rta_core::scene::Limits;
 use rta_core::trace::{Observer, Tracer};
 use rta_core::{Q16, Q20, Scalar};
 use rta_scenes::description::Description;
-use rta_scenes::in_model;
 use rta_scenes::model::Model;
 use rta_scenes::narrow::{Narrow, NarrowError, Narrowed, narrow};
+use rta_scenes::shading::Shaded;
 
 use crate::cache::ShadowCache;
 use crate::packets::Packets;
@@ -172,7 +172,16 @@ macro_rules! formats {
                 setup: &Setup,
             ) -> Result<Box<dyn Picture<Self>>, PictureError> {
                 let ready = Ready::<$f>::new(scene, setup)?;
-                in_model!(model, model => Ok(Box::new(Modelled { ready, model })))
+                Ok(match model {
+                    // The pictures that are drawn most have a tracer of their own.
+                    Model::Rta => Box::new(Modelled { ready, model: Rta }),
+                    Model::Whitted => Box::new(Modelled { ready, model: Whitted::default() }),
+                    Model::Phong => Box::new(Modelled { ready, model: Phong::default() }),
+                    _ => {
+                        let shaded = Shaded::new(model, &ready.scene, &ready.admitted());
+                        Box::new(Modelled { ready, model: shaded })
+                    }
+                })
             }
         })*
     };
@@ -203,6 +212,11 @@ impl<S: Format> Ready<S> {
         let packets = Packets::build::<S>(scene);
         Ok(Self { scene: narrowed, packets, limits, setup: *setup })
     }
+
+    /// Returns the scene, which was proved once, when the picture was made ready.
+    fn admitted(&self) -> Admitted<'_, S, &Packets> {
+        Admitted::baked(self.scene.scene(), self.limits, &self.packets)
+    }
 }
 
 struct Modelled<S: Narrow, M> {
@@ -212,23 +226,17 @@ struct Modelled<S: Narrow, M> {
 
 type Traced<'a, S, M> = Tracer<'a, S, M, Everything, { MAX_DEPTH as usize }, &'a Packets>;
 
-impl<S: Format, M: Illumination<S> + Copy> Modelled<S, M> {
-    /// Returns the scene, which was proved once, when the picture was made ready.
-    fn admitted(&self) -> Admitted<'_, S, &Packets> {
-        let Ready { scene, packets, limits, .. } = &self.ready;
-        Admitted::baked(scene.scene(), *limits, packets)
-    }
-
+impl<S: Format, M: Illumination<S> + Clone> Modelled<S, M> {
     fn tracer<'a>(&self, admitted: &'a Admitted<'a, S, &'a Packets>) -> Option<Traced<'a, S, M>> {
         let Setup { depth, cutoff: (numerator, denominator), .. } = self.ready.setup;
-        let tracer: Traced<'a, S, M> = Tracer::new(admitted, self.model, depth).ok()?;
+        let tracer: Traced<'a, S, M> = Tracer::new(admitted, self.model.clone(), depth).ok()?;
         Some(tracer.with_cutoff(S::Unit::ratio(numerator, denominator)))
     }
 
     /// Calls `put` with each of the rows `range` of the picture on `raster`, with samples at `places`.
     fn traced(&self, raster: Raster, places: impl Places, range: (u32, u32), put: PutRow<S>) {
         // There is a tracer: the depth was checked when the picture was made ready.
-        let admitted = self.admitted();
+        let admitted = self.ready.admitted();
         let Some(tracer) = self.tracer(&admitted) else { return };
         let width = raster.width() as usize;
         let mut row = Vec::with_capacity(width);
@@ -242,7 +250,7 @@ impl<S: Format, M: Illumination<S> + Copy> Modelled<S, M> {
     }
 }
 
-impl<S: Format, M: Illumination<S> + Copy> Picture<S> for Modelled<S, M> {
+impl<S: Format, M: Illumination<S> + Clone> Picture<S> for Modelled<S, M> {
     fn rows(&self, first: u32, end: u32, put: PutRow<S>) {
         let Setup { raster, sampling, .. } = self.ready.setup;
         if sampling == Sampling::CENTER {
@@ -263,7 +271,7 @@ impl<S: Format, M: Illumination<S> + Copy> Picture<S> for Modelled<S, M> {
         cache: &mut ShadowCache,
         observer: &mut dyn Observer<S>,
     ) -> Rgb<S::Light> {
-        let admitted = self.admitted();
+        let admitted = self.ready.admitted();
         let Some(tracer) = self.tracer(&admitted) else { return Rgb::BLACK };
         let camera = &self.ready.scene.camera;
         tracer.trace(camera.eye, camera.direction(right, up), cache, observer)

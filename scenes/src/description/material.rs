@@ -1,5 +1,7 @@
 //! Materials with names, as the scene language has them.
 
+pub use rta_core::illumination::table::Kind;
+
 use super::Surface;
 use crate::gloss;
 
@@ -53,23 +55,6 @@ pub struct Material {
     pub bump: Option<(String, f64)>,
     /// Line of the source where it begins, from 1; 0 if it has none.
     pub line: u32,
-}
-
-/// What decides the coefficients that a material does not state, and what the models take it for that know only the thesis's
-/// types.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Kind {
-    /// Type 0: diffuse.
-    #[default]
-    Opaque,
-    /// Type 1: diffuse with highlights.
-    Shiny,
-    /// Type 2: a perfect mirror.
-    Mirror,
-    /// Glass: it reflects a tenth of the light and transmits the rest where the model knows no better.
-    Glass,
-    /// A metal.
-    Metal,
 }
 
 /// Microfacets of one slope.

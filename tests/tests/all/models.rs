@@ -83,7 +83,7 @@ impl Illumination<f64> for Absorbing {
         let left = |a: f64| if surface.inside { (-a * surface.distance).exp() } else { 1.0 };
         let [r, g, b] = self.absorption.map(left);
         let part = |k: f64| (k > 0.0).then_some(Rgb::new(k * r, k * g, k * b));
-        Secondary { reflected: part(glass.ks), transmitted: part(glass.kt) }
+        Secondary { reflected: part(glass.ks), transmitted: part(glass.kt), ..Secondary::NONE }
     }
 }
 

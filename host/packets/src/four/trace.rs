@@ -5,7 +5,7 @@
 
 use glam::Vec3;
 use rta_core::color::Rgb;
-use rta_core::illumination::{Illumination, Weight};
+use rta_core::illumination::{Illumination, Passage, Way, Weight};
 use rta_core::light::{Incident, Lamp};
 use rta_core::material::Glass;
 use rta_core::needs::Needs;
@@ -14,7 +14,7 @@ use rta_core::trace::{Pending, Stack, Tracer};
 
 use super::geometry::{Ray4, leave, normalize, reflect, refract};
 use super::surfaces::Surfaces4;
-use super::vector::{Vec3x4, lane, one, one_mut, one_ref};
+use super::vector::{Vec3x4, lane, one, one_mut};
 use crate::cache::ShadowCache;
 use crate::leaf::Bits;
 use crate::packets::Packets;
@@ -63,6 +63,7 @@ impl<'a, M: Illumination<f32>, const STACK: usize> Trees4<'a, M, STACK> {
             let nearest = packets.closest_four::<N>(scene, &rays, (there, are_eyes), &mut self.cache);
             are_eyes = false;
             self.surfaces.see::<N>(scene, &rays, &nearest, there);
+            let lengths = nearest.distance;
             let (mut own, mut lit) = (self.surfaces.lights, 0);
             for k in Bits(there & self.surfaces.on) {
                 let surface = self.surfaces.surface(&rays, k);
@@ -77,10 +78,20 @@ impl<'a, M: Illumination<f32>, const STACK: usize> Trees4<'a, M, STACK> {
             }
             let mut branching = 0;
             for k in Bits(there) {
-                let current = &one_ref(&current, k).branch;
+                let pending = one_mut(&mut current, k);
+                let (weight, own) = (pending.branch.weight, one(&own, k));
+                let mut arrived = weight.filter(own);
+                if M::ALONG {
+                    let met = one(&nearest.objects, k).is_some();
+                    let passage = self.along(tracer, (pending, &rays, k), met.then(|| lane(&lengths, k)));
+                    if let Some(Passage { weight: part, veil }) = passage {
+                        pending.branch.weight = weight.compose(part);
+                        arrived = pending.branch.weight.filter(own).plus(weight.filter(veil));
+                    }
+                }
                 let light = one_mut(&mut lights, k);
-                *light = light.plus(current.weight.filter(one(&own, k)));
-                branching |= u32::from(current.depth < depth) << k;
+                *light = light.plus(arrived);
+                branching |= u32::from(pending.branch.depth < depth) << k;
             }
             branching &= self.surfaces.on;
             let mut going_on = 0;
@@ -103,6 +114,19 @@ impl<'a, M: Illumination<f32>, const STACK: usize> Trees4<'a, M, STACK> {
         }
     }
 
+    /// Returns what happens to the light of ray `k` on its way, whose length is `length` if it meets anything.
+    fn along<N: Needs>(
+        &mut self,
+        tracer: &Traced<'a, M, N, STACK>,
+        (pending, rays, k): (&Pending<f32, M::Weight>, &Ray4, usize),
+        length: Option<f32>,
+    ) -> Option<Passage<f32, M::Weight>> {
+        let (.., model, _, _) = tracer.parts();
+        let surface = (self.surfaces.on >> k & 1 == 1).then(|| self.surfaces.surface(rays, k));
+        let way = Way { kind: pending.branch.kind, start: pending.start, length, surface: surface.as_ref() };
+        model.along::<N>(&way, |place, lamp| tracer.reached(place, lamp, &mut self.cache))
+    }
+
     /// Adds what four surfaces send back of a lamp, of those in `lit`.
     #[inline(always)]
     fn add_lamp<N: Needs>(
@@ -119,7 +143,7 @@ impl<'a, M: Illumination<f32>, const STACK: usize> Trees4<'a, M, STACK> {
         let cosine = spot.normal.dot(direction);
         let behind = self.surfaces.are_behind::<N>(direction, cosine);
         let mut lit = lit & !none;
-        if !M::BOTH_SIDES {
+        if !M::BOTH_SIDES && !M::REFRACTS_LAMPS {
             // Darkness, as `direct` would say.
             lit &= !behind.bitmask();
         }
@@ -195,6 +219,7 @@ impl<'a, M: Illumination<f32>, const STACK: usize> Trees4<'a, M, STACK> {
                     start(&reflected, k)
                 },
                 |_| (total >> k & 1 == 0).then(|| start(&refracted, k)),
+                || start(&surfaces.secondary::<N>(incoming, false), k),
             );
             if N::GLASS
                 && let Some((branch, start)) = transmitted

@@ -1,9 +1,9 @@
 //! Wherever eye and lamps are, light buffers hide nothing, and neither do rays that are searched for four by four: pictures of
-//! random scenes are, to the last bit of light, those that are traced one ray and one object after the other.
+//! random scenes are, to the last bit of light, those that are traced one ray and one object after the other, with the model behind
+//! a pointer.
 
 use rta_core::accelerator::Lists;
 use rta_core::color::Rgb;
-use rta_core::illumination::Illumination;
 use rta_core::needs::Everything;
 use rta_core::raster::{Pixels, Raster};
 use rta_core::sampling::{Center, Places, Sampling};
@@ -11,9 +11,9 @@ use rta_core::trace::Tracer;
 use rta_core::{Q16, Q20};
 use rta_packets::ShadowCache;
 use rta_packets::picture::{Format, Setup};
-use rta_scenes::in_model;
 use rta_scenes::model::Model;
 use rta_scenes::narrow::{Narrowed, narrow};
+use rta_scenes::shading::Shaded;
 
 use crate::scenes::clusters;
 
@@ -29,9 +29,10 @@ fn raster() -> Raster {
 }
 
 /// Returns the picture, traced one ray and one object after the other.
-fn listed<S: Format, M: Illumination<S>>(scene: &Narrowed<S>, model: M) -> Vec<Rgb<S::Light>> {
+fn listed<S: Format>(scene: &Narrowed<S>, model: Model) -> Vec<Rgb<S::Light>> {
     let admitted = scene.scene().admit_with(&scene.camera, Lists).expect("it fits");
-    let tracer: Tracer<S, _, Everything, 32> = Tracer::new(&admitted, model, DEPTH).expect("a depth");
+    let tracer: Tracer<S, _, Everything, 32> =
+        Tracer::new(&admitted, Shaded::new(model, scene, &admitted), DEPTH).expect("a depth");
     Pixels::new(&tracer, &scene.camera, raster()).collect()
 }
 
@@ -45,7 +46,7 @@ fn compare<S: Format>() {
         let model = *model.expect("there are models");
         let Ok(picture) = S::picture(&scene, model, &setup) else { continue };
         let narrowed = narrow::<S>(&scene, 1.0).expect("it has a picture");
-        let right = in_model!(model, model => listed::<S, _>(&narrowed, model));
+        let right = listed::<S>(&narrowed, model);
         let (mut single, mut rows) = (Vec::new(), Vec::new());
         let mut cache = ShadowCache::default();
         for y in 0..SIDE {

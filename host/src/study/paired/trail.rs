@@ -9,7 +9,6 @@ use core::ops::Range;
 use rayon::prelude::*;
 use rta_core::camera::Camera;
 use rta_core::color::Rgb;
-use rta_core::illumination::Illumination;
 use rta_core::needs::Everything;
 use rta_core::range::Admitted;
 use rta_core::raster::Raster;
@@ -17,8 +16,9 @@ use rta_core::sampling::{Center, Places};
 use rta_core::trace::Tracer;
 use rta_packets::{Packets, ShadowCache, ToF32};
 use rta_scenes::description::Description;
+use rta_scenes::in_format;
 use rta_scenes::narrow::narrow;
-use rta_scenes::{in_format, in_model};
+use rta_scenes::shading::Shaded;
 
 use super::log::{self, Log};
 use super::ray_tree::RayTree;
@@ -48,7 +48,7 @@ pub const GUNS: [u8; 3] = [63, 15, 255];
 /// Whatever keeps the scene from being drawn with these settings.
 pub fn pixels(scene: &Description, settings: &Settings, rows: Range<u32>) -> Result<Vec<Pixel>, EngineError> {
     let window = Window { rows, columns: 0..settings.width };
-    in_format!(settings.format, S => modelled::<S>(scene, settings, &window))
+    in_format!(settings.format, S => traced::<S>(scene, settings, &window))
 }
 
 /// Returns all pixels of a picture.
@@ -64,7 +64,7 @@ pub fn picture(scene: &Description, settings: &Settings) -> Result<Vec<Pixel>, E
 /// # Errors
 /// Whatever keeps the scene from being drawn with these settings.
 pub fn pixel(scene: &Description, settings: &Settings, x: u32, y: u32) -> Result<Option<Pixel>, EngineError> {
-    let pixels = in_format!(settings.format, S => modelled::<S>(scene, settings, &Window::at(x, y)));
+    let pixels = in_format!(settings.format, S => traced::<S>(scene, settings, &Window::at(x, y)));
     Ok(pixels?.pop())
 }
 
@@ -78,7 +78,7 @@ pub fn lock_step(
     x: u32,
     y: u32,
 ) -> Result<Option<Pixel>, EngineError> {
-    let pixels = in_format!(settings.format, S => modelled::<Paired<S>>(scene, settings, &Window::at(x, y)));
+    let pixels = in_format!(settings.format, S => traced::<Paired<S>>(scene, settings, &Window::at(x, y)));
     Ok(pixels?.pop())
 }
 
@@ -94,21 +94,12 @@ impl Window {
     }
 }
 
-fn modelled<S: Readable + ToF32>(
-    scene: &Description,
-    settings: &Settings,
-    window: &Window,
-) -> Result<Vec<Pixel>, EngineError> {
-    in_model!(settings.model, model => watched::<S, _>(scene, settings, window, model))
-}
-
 /// The objects are searched for as in a picture: what a hierarchy leaves out decides nothing in it, is none of its branches, and
 /// would take the time of a ray's way through all of a large scene, and the memory of all its operations.
-fn watched<S: Readable + ToF32, M: Illumination<S> + Sync>(
+fn traced<S: Readable + ToF32>(
     scene: &Description,
     settings: &Settings,
     window: &Window,
-    model: M,
 ) -> Result<Vec<Pixel>, EngineError> {
     let raster = Raster::new(settings.width, settings.height)?;
     let narrowed = narrow::<S>(scene, settings.aspect)?;
@@ -117,6 +108,7 @@ fn watched<S: Readable + ToF32, M: Illumination<S> + Sync>(
     narrowed.scene().check_depth(depth)?;
     let packets = Packets::build::<S>(scene);
     let admitted = Admitted::baked(narrowed.scene(), limits, &packets);
+    let model = Shaded::new(settings.model, &narrowed, &admitted);
     let tracer =
         Tracer::<S, _, Everything, { MAX_DEPTH as usize }, _>::new(&admitted, model, settings.depth)?;
     let rows = window.rows.start..window.rows.end.min(raster.height());

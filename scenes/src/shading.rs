@@ -1,0 +1,121 @@
+//! An illumination model behind a pointer, so that one tracer serves all models that do not need one of their own.
+//!
+//! A tracer is some 100 KiB of code in each number format. The models whose pictures are drawn most have one of their own; what
+//! the others pay for sharing one is a call through a pointer for each of their decisions.
+
+use std::sync::Arc;
+
+use rta_core::Scalar;
+use rta_core::accelerator::Accelerator;
+use rta_core::color::Rgb;
+use rta_core::illumination::table::Tabled;
+use rta_core::illumination::{Illumination, Passage, Secondary, Way, Weight};
+use rta_core::light::Incident;
+use rta_core::needs::{Everything, Needs};
+use rta_core::range::Admitted;
+use rta_core::scalar::Unit;
+use rta_core::surface::Surface;
+use rta_core::trace::decision::direct;
+use rta_core::vector::Vec3;
+
+use crate::model::Model;
+use crate::narrow::{Narrow, Narrowed};
+
+/// Returns the part of the light of a lamp that reaches a place: see [`Illumination::along`].
+type Lit<'a, S> = &'a mut dyn FnMut(Vec3<S>, usize) -> <S as Scalar>::Unit;
+
+/// The methods of an illumination model for [`Everything`], with weights of three registers.
+trait Shading<S: Scalar>: Send + Sync {
+    fn ambient(&self, surface: &Surface<S>, ambient: Rgb<S::Light>) -> Rgb<S::Light>;
+    fn is_lit(&self, surface: &Surface<S>) -> bool;
+    fn direct(&self, surface: &Surface<S>, incident: &Incident<S>) -> Rgb<S::Light>;
+    fn secondary(&self, surface: &Surface<S>) -> Secondary<Rgb<S::Unit>>;
+    fn along(&self, way: &Way<S>, lit: Lit<S>) -> Option<Passage<S, Rgb<S::Unit>>>;
+}
+
+/// A model and the rows that it needs of a scene's materials.
+struct Owned<S: Scalar, M: Tabled<S>> {
+    model: M,
+    rows: Vec<M::Row>,
+}
+
+impl<S: Scalar, M: Tabled<S>> Shading<S> for Owned<S, M> {
+    fn ambient(&self, surface: &Surface<S>, ambient: Rgb<S::Light>) -> Rgb<S::Light> {
+        self.model.over(&self.rows).ambient::<Everything>(surface, ambient)
+    }
+
+    fn is_lit(&self, surface: &Surface<S>) -> bool {
+        self.model.over(&self.rows).is_lit::<Everything>(surface)
+    }
+
+    fn direct(&self, surface: &Surface<S>, incident: &Incident<S>) -> Rgb<S::Light> {
+        direct::<S, _, Everything>(&self.model.over(&self.rows), surface, incident)
+    }
+
+    fn secondary(&self, surface: &Surface<S>) -> Secondary<Rgb<S::Unit>> {
+        let Secondary { reflected, transmitted, bend } =
+            self.model.over(&self.rows).secondary::<Everything>(surface);
+        Secondary {
+            reflected: reflected.map(Weight::<S>::registers),
+            transmitted: transmitted.map(Weight::<S>::registers),
+            bend,
+        }
+    }
+
+    fn along(&self, way: &Way<S>, lit: Lit<S>) -> Option<Passage<S, Rgb<S::Unit>>> {
+        let passage = self.model.over(&self.rows).along::<Everything>(way, lit);
+        passage.map(|Passage { weight, veil }| Passage { weight: weight.registers(), veil })
+    }
+}
+
+/// Any illumination model, ready for one scene.
+#[derive(Clone)]
+pub struct Shaded<S: Scalar>(Arc<dyn Shading<S>>);
+
+impl<S: Narrow> Shaded<S> {
+    /// Returns a model for a scene.
+    #[must_use]
+    pub fn new<A: Accelerator<S>>(model: Model, scene: &Narrowed<S>, admitted: &Admitted<'_, S, A>) -> Self {
+        let (camera, middle) = (&scene.camera, S::Unit::ZERO);
+        let ray = admitted.ray::<Everything>(camera.eye, camera.direction(middle, middle));
+        let hit = admitted.closest::<Everything>(&ray);
+        let length = hit.map_or_else(|| S::length(1.0), |hit| hit.distance);
+        in_model!(model, model => Self::owned(model.focused(length), scene))
+    }
+
+    fn owned<M: Tabled<S> + 'static>(model: M, scene: &Narrowed<S>) -> Self {
+        let rows = scene.said.iter().map(|material| model.row(material)).collect();
+        Self(Arc::new(Owned { model, rows }))
+    }
+}
+
+impl<S: Scalar> Illumination<S> for Shaded<S> {
+    type Weight = Rgb<S::Unit>;
+    /// The model itself is asked, and returns black.
+    const BOTH_SIDES: bool = true;
+    const ALONG: bool = true;
+
+    fn ambient<N: Needs>(&self, surface: &Surface<S>, ambient: Rgb<S::Light>) -> Rgb<S::Light> {
+        self.0.ambient(surface, ambient)
+    }
+
+    fn is_lit<N: Needs>(&self, surface: &Surface<S>) -> bool {
+        self.0.is_lit(surface)
+    }
+
+    fn direct<N: Needs>(&self, surface: &Surface<S>, incident: &Incident<S>) -> Rgb<S::Light> {
+        self.0.direct(surface, incident)
+    }
+
+    fn secondary<N: Needs>(&self, surface: &Surface<S>) -> Secondary<Rgb<S::Unit>> {
+        self.0.secondary(surface)
+    }
+
+    fn along<N: Needs>(
+        &self,
+        way: &Way<S>,
+        mut lit: impl FnMut(Vec3<S>, usize) -> S::Unit,
+    ) -> Option<Passage<S, Rgb<S::Unit>>> {
+        self.0.along(way, &mut lit)
+    }
+}
