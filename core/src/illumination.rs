@@ -3,6 +3,7 @@
 //! The tracer calls the model, never the other way: for a [`Surface`] and one [`Incident`] lamp at a time the model returns
 //! light, and for a surface the [`Weight`]s of its secondary rays. The model of a picture is one type parameter.
 
+pub mod air;
 pub mod fade;
 pub mod fresnel;
 pub mod microfacet;
@@ -86,6 +87,15 @@ pub enum Bend {
 impl<W> Secondary<W> {
     /// No secondary rays.
     pub const NONE: Self = Self { reflected: None, transmitted: None, bend: Bend::Refracted };
+
+    /// Returns the rays with weights of three registers.
+    pub fn registers<S: Scalar>(self) -> Secondary<Rgb<S::Unit>>
+    where
+        W: Weight<S>,
+    {
+        let Self { reflected, transmitted, bend } = self;
+        Secondary { reflected: reflected.map(W::registers), transmitted: transmitted.map(W::registers), bend }
+    }
 }
 
 /// A model of illumination for scenes in the scalar `S`.

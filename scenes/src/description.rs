@@ -4,6 +4,7 @@
 //! numbers that make sense (positive radii, ks + kt = 1 and so on); whether they fit a number format is asked
 //! later, when the description becomes a scene of that format.
 
+use crate::air::Air;
 use crate::space::unit;
 use crate::warning::Warning;
 
@@ -43,6 +44,8 @@ pub struct Description {
     pub sky: Sky,
     /// The illumination model that the scene was made for.
     pub model: Model,
+    /// What fills the space between its things.
+    pub air: Air,
     /// Width and height in pixels that the scene was made for, if its file says so; the pixels are square.
     pub raster: Option<[u32; 2]>,
     /// What the reader has to say about the file.
@@ -279,6 +282,7 @@ impl Description {
             ambient: [0.0; 3],
             sky: Sky { horizon: [0.0; 3], zenith: [0.0; 3] },
             model: Model::Rta,
+            air: Air::Clear,
             raster: None,
             warnings: Vec::new(),
         }

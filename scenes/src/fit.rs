@@ -49,6 +49,11 @@ impl Description {
     fn scale(&mut self, factor: f64) {
         let scale = |place: &mut [f64; 3]| place.iter_mut().for_each(|c| *c *= factor);
         scale(&mut self.camera.eye);
+        self.air = self.air.scaled(factor);
+        // The same part of the light is left over a way that is so many times as long.
+        for absorb in self.materials.iter_mut().filter_map(|material| material.absorb.as_mut()) {
+            *absorb = absorb.map(|left| left.powf(1.0 / factor));
+        }
         for cylinder in &mut self.cylinders {
             scale(&mut cylinder.position);
             cylinder.radius *= factor;

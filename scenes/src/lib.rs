@@ -24,6 +24,7 @@
 //! `examples/draw.rs` goes on from there, through a number format to a picture file.
 
 pub mod accelerator;
+pub mod air;
 pub mod bake;
 pub mod dat;
 pub mod description;
@@ -79,11 +80,12 @@ pub fn read_with(text: &[u8], file: &str, reading: Reading) -> Result<Descriptio
         let first = tokens::Tokens::new(text, file).ok().and_then(|mut tokens| tokens.next());
         first.is_some_and(|token| !token.is_like_a_number())
     };
-    if is("nff") || is("p3f") || (!is("dat") && begins_with_word()) {
+    let scene = if is("nff") || is("p3f") || (!is("dat") && begins_with_word()) {
         nff::read_with(text, file, reading)
     } else {
         dat::read(text, file)
-    }
+    };
+    scene.map(|scene| Description { air: reading.air.unwrap_or(scene.air), ..scene })
 }
 
 #[cfg(test)]

@@ -12,6 +12,7 @@ use rta_core::vector::Vector;
 use crate::description::{self, Description, Side};
 use crate::space::{cross, unit};
 
+pub mod air;
 mod check;
 mod cone;
 mod error;

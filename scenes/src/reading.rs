@@ -1,7 +1,9 @@
 //! What a reader may do with a file that its format leaves open.
 
+use crate::air::Air;
+
 /// How a scene file is read where its format leaves that open.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Reading {
     /// Whether lines that begin with no entity of the format are passed over, each with a warning. Otherwise they are an
     /// error, but for those that cannot hold an object.
@@ -9,4 +11,6 @@ pub struct Reading {
     /// Whether polygons of NFF are seen only from where their corners run counterclockwise, as the format has it. Many files
     /// do not care, so that half of a mesh would be missing: without it they are seen from both sides.
     pub one_sided: bool,
+    /// Air that takes the place of the scene's.
+    pub air: Option<Air>,
 }

@@ -8,8 +8,9 @@ use std::sync::Arc;
 use rta_core::Scalar;
 use rta_core::accelerator::Accelerator;
 use rta_core::color::Rgb;
+use rta_core::illumination::air::Through;
 use rta_core::illumination::table::Tabled;
-use rta_core::illumination::{Illumination, Passage, Secondary, Way, Weight};
+use rta_core::illumination::{Illumination, Passage, Secondary, Way};
 use rta_core::light::Incident;
 use rta_core::needs::{Everything, Needs};
 use rta_core::range::Admitted;
@@ -18,7 +19,9 @@ use rta_core::surface::Surface;
 use rta_core::trace::decision::direct;
 use rta_core::vector::Vec3;
 
+use crate::air::Air;
 use crate::model::Model;
+use crate::narrow::air::Layer;
 use crate::narrow::{Narrow, Narrowed};
 
 /// Returns the part of the light of a lamp that reaches a place: see [`Illumination::along`].
@@ -53,40 +56,39 @@ impl<S: Scalar, M: Tabled<S>> Shading<S> for Owned<S, M> {
     }
 
     fn secondary(&self, surface: &Surface<S>) -> Secondary<Rgb<S::Unit>> {
-        let Secondary { reflected, transmitted, bend } =
-            self.model.over(&self.rows).secondary::<Everything>(surface);
-        Secondary {
-            reflected: reflected.map(Weight::<S>::registers),
-            transmitted: transmitted.map(Weight::<S>::registers),
-            bend,
-        }
+        self.model.over(&self.rows).secondary::<Everything>(surface).registers()
     }
 
     fn along(&self, way: &Way<S>, lit: Lit<S>) -> Option<Passage<S, Rgb<S::Unit>>> {
-        let passage = self.model.over(&self.rows).along::<Everything>(way, lit);
-        passage.map(|Passage { weight, veil }| Passage { weight: weight.registers(), veil })
+        self.model.over(&self.rows).along::<Everything>(way, lit).map(Passage::registers)
     }
 }
 
-/// Any illumination model, ready for one scene.
+/// Any illumination model with the rows that it needs of a scene's materials.
 #[derive(Clone)]
 pub struct Shaded<S: Scalar>(Arc<dyn Shading<S>>);
 
-impl<S: Narrow> Shaded<S> {
-    /// Returns a model for a scene.
-    #[must_use]
-    pub fn new<A: Accelerator<S>>(model: Model, scene: &Narrowed<S>, admitted: &Admitted<'_, S, A>) -> Self {
-        let (camera, middle) = (&scene.camera, S::Unit::ZERO);
-        let ray = admitted.ray::<Everything>(camera.eye, camera.direction(middle, middle));
-        let hit = admitted.closest::<Everything>(&ray);
-        let length = hit.map_or_else(|| S::length(1.0), |hit| hit.distance);
-        in_model!(model, model => Self::owned(model.focused(length), scene))
-    }
+/// Any illumination model with any air, ready for one scene.
+pub type AnyModel<S> = Through<Shaded<S>, Option<Layer<S>>>;
 
-    fn owned<M: Tabled<S> + 'static>(model: M, scene: &Narrowed<S>) -> Self {
-        let rows = scene.said.iter().map(|material| model.row(material)).collect();
-        Self(Arc::new(Owned { model, rows }))
-    }
+/// Returns a model and the air of a scene, ready to be traced.
+pub fn any_model<S: Narrow, A: Accelerator<S>>(
+    model: Model,
+    air: Air,
+    scene: &Narrowed<S>,
+    admitted: &Admitted<'_, S, A>,
+) -> AnyModel<S> {
+    let (camera, middle) = (&scene.camera, S::Unit::ZERO);
+    let ray = admitted.ray::<Everything>(camera.eye, camera.direction(middle, middle));
+    let hit = admitted.closest::<Everything>(&ray);
+    let middle = hit.map_or_else(|| S::length(1.0), |hit| hit.distance);
+    let air = Layer::new(air, middle, &scene.sky);
+    Through { model: in_model!(model, model => owned(model.focused(middle), scene)), air }
+}
+
+fn owned<S: Narrow, M: Tabled<S> + 'static>(model: M, scene: &Narrowed<S>) -> Shaded<S> {
+    let rows = scene.said.iter().map(|material| model.row(material)).collect();
+    Shaded(Arc::new(Owned { model, rows }))
 }
 
 impl<S: Scalar> Illumination<S> for Shaded<S> {

@@ -1,5 +1,6 @@
 //! What happens to light on its way: fading, haze, absorption inside of a material.
 
+use super::Weight;
 use crate::color::Rgb;
 use crate::ray::{RayKind, Start};
 use crate::scalar::Scalar;
@@ -26,4 +27,11 @@ pub struct Passage<S: Scalar, W> {
     pub weight: W,
     /// The radiance that is added on the way.
     pub veil: Rgb<S::Light>,
+}
+
+impl<S: Scalar, W: Weight<S>> Passage<S, W> {
+    /// Returns the passage with a weight of three registers.
+    pub fn registers(self) -> Passage<S, Rgb<S::Unit>> {
+        Passage { weight: self.weight.registers(), veil: self.veil }
+    }
 }

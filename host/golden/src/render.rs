@@ -10,7 +10,7 @@ use rta_core::trace::Tracer;
 use rta_scenes::accelerator::bvh;
 use rta_scenes::description::Description;
 use rta_scenes::narrow::{Narrow, Narrowed, narrow};
-use rta_scenes::shading::Shaded;
+use rta_scenes::shading::any_model;
 use rta_scenes::{Format, Model, OutOfRange, in_format};
 
 use crate::error::DrawError;
@@ -86,7 +86,7 @@ impl Render {
         accelerator: impl Accelerator<S>,
     ) -> Result<Picture, DrawError> {
         let admitted = narrowed.scene().admit_with(&narrowed.camera, accelerator)?;
-        let model = Shaded::new(self.model.unwrap_or(described.model), narrowed, &admitted);
+        let model = any_model(self.model.unwrap_or(described.model), described.air, narrowed, &admitted);
         let tracer: Tracer<_, _, Everything, STACK, _> = Tracer::new(&admitted, model, self.depth)?;
         self.screen.trace(&tracer, &narrowed.camera)
     }

@@ -16,10 +16,11 @@ use rta_core::scalar::Unit;
 use rta_core::scene::Limits;
 use rta_core::trace::{Observer, Tracer};
 use rta_core::{Q16, Q20, Scalar};
+use rta_scenes::air::Air;
 use rta_scenes::description::Description;
 use rta_scenes::model::Model;
 use rta_scenes::narrow::{Narrow, NarrowError, Narrowed, narrow};
-use rta_scenes::shading::Shaded;
+use rta_scenes::shading::any_model;
 
 use crate::cache::ShadowCache;
 use crate::packets::Packets;
@@ -174,12 +175,12 @@ macro_rules! formats {
                 let ready = Ready::<$f>::new(scene, setup)?;
                 Ok(match model {
                     // The pictures that are drawn most have a tracer of their own.
-                    Model::Rta => Box::new(Modelled { ready, model: Rta }),
-                    Model::Whitted => Box::new(Modelled { ready, model: Whitted::default() }),
-                    Model::Phong => Box::new(Modelled { ready, model: Phong::default() }),
+                    Model::Rta if scene.air == Air::Clear => Box::new(Modelled { ready, model: Rta }),
+                    Model::Whitted if scene.air == Air::Clear => Box::new(Modelled { ready, model: Whitted::default() }),
+                    Model::Phong if scene.air == Air::Clear => Box::new(Modelled { ready, model: Phong::default() }),
                     _ => {
-                        let shaded = Shaded::new(model, &ready.scene, &ready.admitted());
-                        Box::new(Modelled { ready, model: shaded })
+                        let model = any_model(model, scene.air, &ready.scene, &ready.admitted());
+                        Box::new(Modelled { ready, model })
                     }
                 })
             }

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use clap::Args;
 
 use rta_scenes::Reading;
+use rta_scenes::air::Air;
 
 use super::choice;
 use crate::engine::{Format, Model};
@@ -20,11 +21,17 @@ pub struct ReadingArgs {
     /// See polygons of a .nff only from where their corners run counterclockwise, not from both sides
     #[arg(long)]
     pub one_sided: bool,
+    /// Air between the things of the scene: none, warnock[:D0], romney[:P[:D0]], haze:NEAR:FAR, fog:S or fog:R:G:B [default: the scene's]
+    ///
+    /// warnock and romney darken with the distance d from the eye, by (D0/d)^P, P being 1 and 4; haze has the colour of the horizon;
+    /// fog leaves exp(-S d). Lengths are in units of the scene.
+    #[arg(long, value_name = "AIR")]
+    pub air: Option<Air>,
 }
 
 impl From<ReadingArgs> for Reading {
-    fn from(ReadingArgs { lenient, one_sided }: ReadingArgs) -> Self {
-        Self { lenient, one_sided }
+    fn from(ReadingArgs { lenient, one_sided, air }: ReadingArgs) -> Self {
+        Self { lenient, one_sided, air }
     }
 }
 

@@ -11,9 +11,10 @@ use rta_core::trace::Tracer;
 use rta_core::{Q16, Q20};
 use rta_packets::ShadowCache;
 use rta_packets::picture::{Format, Setup};
+use rta_scenes::air::Air;
 use rta_scenes::model::Model;
 use rta_scenes::narrow::{Narrowed, narrow};
-use rta_scenes::shading::Shaded;
+use rta_scenes::shading::any_model;
 
 use crate::scenes::clusters;
 
@@ -29,24 +30,31 @@ fn raster() -> Raster {
 }
 
 /// Returns the picture, traced one ray and one object after the other.
-fn listed<S: Format>(scene: &Narrowed<S>, model: Model) -> Vec<Rgb<S::Light>> {
+fn listed<S: Format>(scene: &Narrowed<S>, (model, air): (Model, Air)) -> Vec<Rgb<S::Light>> {
     let admitted = scene.scene().admit_with(&scene.camera, Lists).expect("it fits");
     let tracer: Tracer<S, _, Everything, 32> =
-        Tracer::new(&admitted, Shaded::new(model, scene, &admitted), DEPTH).expect("a depth");
+        Tracer::new(&admitted, any_model(model, air, scene, &admitted), DEPTH).expect("a depth");
     Pixels::new(&tracer, &scene.camera, raster()).collect()
 }
 
 fn compare<S: Format>() {
     let mut drawn = 0;
     for seed in 0..SCENES {
-        let scene = clusters(seed);
+        let mut scene = clusters(seed);
+        // Every model with every air, in some scene.
+        let airs = ["none", "warnock", "romney:2:1.5", "haze:1:40", "fog:.1:.2:.3"];
+        scene.air = airs
+            .iter()
+            .cycle()
+            .nth(usize::try_from(seed).expect("small"))
+            .map_or(Air::Clear, |text| text.parse().expect("air"));
         let setup =
             Setup { raster: raster(), aspect: 1.0, depth: DEPTH, cutoff: (0, 1), sampling: Sampling::CENTER };
         let model = Model::ALL.iter().cycle().nth(usize::try_from(seed / 3).expect("small"));
         let model = *model.expect("there are models");
         let Ok(picture) = S::picture(&scene, model, &setup) else { continue };
         let narrowed = narrow::<S>(&scene, 1.0).expect("it has a picture");
-        let right = listed::<S>(&narrowed, model);
+        let right = listed::<S>(&narrowed, (model, scene.air));
         let (mut single, mut rows) = (Vec::new(), Vec::new());
         let mut cache = ShadowCache::default();
         for y in 0..SIDE {

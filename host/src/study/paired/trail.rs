@@ -18,7 +18,7 @@ use rta_packets::{Packets, ShadowCache, ToF32};
 use rta_scenes::description::Description;
 use rta_scenes::in_format;
 use rta_scenes::narrow::narrow;
-use rta_scenes::shading::Shaded;
+use rta_scenes::shading::any_model;
 
 use super::log::{self, Log};
 use super::ray_tree::RayTree;
@@ -108,7 +108,7 @@ fn traced<S: Readable + ToF32>(
     narrowed.scene().check_depth(depth)?;
     let packets = Packets::build::<S>(scene);
     let admitted = Admitted::baked(narrowed.scene(), limits, &packets);
-    let model = Shaded::new(settings.model, &narrowed, &admitted);
+    let model = any_model(settings.model, scene.air, &narrowed, &admitted);
     let tracer =
         Tracer::<S, _, Everything, { MAX_DEPTH as usize }, _>::new(&admitted, model, settings.depth)?;
     let rows = window.rows.start..window.rows.end.min(raster.height());

@@ -73,7 +73,7 @@ fn lines_that_may_hold_an_object_are_passed_over_by_a_lenient_reader_only() {
         let text = format!("{HEAD}{line}\ns 0 0 0 1\n{line}");
         let error = error_of(&text);
         assert!(error.starts_with("s.nff:11:1: expected an entity"), "{error}");
-        let scene = read_with(text.as_bytes(), "s.nff", Reading { lenient: true, one_sided: false })
+        let scene = read_with(text.as_bytes(), "s.nff", Reading { lenient: true, ..Reading::default() })
             .expect("lenient");
         let word = line.split(' ').next().expect("it has one");
         let told = |line| {
