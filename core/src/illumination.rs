@@ -24,43 +24,60 @@ use crate::surface::Surface;
 
 /// Declares the module of each model, and lets other crates repeat something for each of them.
 macro_rules! models {
-    (($d:tt) $($module:ident: $Model:ident = $name:literal, $about:literal;)*) => {
+    (($d:tt) $($module:ident: $Model:ident = $name:literal $facts:tt;)*) => {
         $(
             mod $module;
             pub use $module::$Model;
         )*
 
         /// Calls the macro that it is given with all models of `rta_core::illumination`: after the arguments that follow the
-        /// macro's name come, for each model, its type, its name on the command line and what a help text says of it.
+        /// macro's name come, for each model, its type, its name on the command line and, as the fields of [`Facts`] in braces, what is
+        /// to be said of it.
         ///
         /// Code that needs each model (a command line's choices, a dispatch) uses such a macro, and so has a new model
         /// without a change. Each type has a `default()`.
         ///
         /// ```
         /// macro_rules! names {
-        ///     ($($Model:ident $name:literal $about:literal)*) => { [$($name),*] };
+        ///     ($($Model:ident $name:literal $facts:tt)*) => { [$($name),*] };
         /// }
         /// assert!(rta_core::with_models!(names).contains(&"phong"));
         /// ```
         #[macro_export]
         macro_rules! with_models {
             ($d macro:ident $d($d argument:tt)*) => {
-                $d macro! { $d($d argument)* $($Model $name $about)* }
+                $d macro! { $d($d argument)* $($Model $name $facts)* }
             };
         }
     };
 }
 
-// The models. A new one is its file and its line here: module, type, name, and the words of the help, without a full stop.
+/// What a list of models says of one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Facts {
+    /// The year of its publication.
+    pub year: &'static str,
+    /// Its author.
+    pub author: &'static str,
+    /// Its formula, in the letters of its documentation.
+    pub formula: &'static str,
+    /// The secondary rays that it asks for, and their weights.
+    pub rays: &'static str,
+    /// What is special about it, without a full stop.
+    pub about: &'static str,
+}
+
+// The models. A new one is its file and its line here: module, type, name, and what is to be said of it.
+#[rustfmt::skip]
 models! { ($)
-    rta: Rta = "rta", "The thesis's: Whitted's with attenuated lamps and cut-out highlights";
-    whitted: Whitted = "whitted", "Whitted 1980: lamps are not attenuated, highlights are powers of a cosine";
-    phong: Phong = "phong", "Phong 1975 with Whitted's rays, the model of NFF: highlights are around the reflected ray";
-    lambert: Lambert = "lambert", "Lambert 1760: every surface is diffuse, no ray is reflected or transmitted";
-    flat: Flat = "flat", "Every surface shows its colour, without lamps";
-    bouknight: Bouknight = "bouknight", "Bouknight 1970: diffuse surfaces without a Mach band at the edge of a shadow";
-    romney: Romney = "romney", "Romney 1970: the only lamp is in the eye";
-    blinn: Blinn = "blinn", "Blinn 1977: Phong's highlights by the vector halfway between lamp and eye";
+    rta: Rta = "rta" { year: "1990", author: "Graham; thesis", formula: "kd ((Nz + 1.5) .4 Ia C + sum S ((1 - B) N.L E C + B I)) + ks C Ir + kt It", rays: "reflected ks C, refracted kt", about: "The thesis's: Whitted's with attenuated lamps and cut-out highlights" };
+    whitted: Whitted = "whitted" { year: "1980", author: "Whitted", formula: "ka C Ia + sum S I (kd C N.L + ks (N.H)^n) + ks Ir + kt It", rays: "reflected ks, refracted kt", about: "Lamps are not attenuated, highlights are powers of a cosine" };
+    phong: Phong = "phong" { year: "1975", author: "Phong", formula: "ka C Ia + sum S I (kd C N.L + ks (R.L)^n) + ks Ir + kt It", rays: "reflected ks, refracted kt", about: "With Whitted's rays, the model of NFF: highlights are around the reflected ray" };
+    lambert: Lambert = "lambert" { year: "1760", author: "Lambert", formula: "C Ia + sum S E C N.L", rays: "none", about: "Every surface is diffuse, no ray is reflected or transmitted" };
+    flat: Flat = "flat" { year: "", author: "", formula: "C", rays: "none", about: "Every surface shows its colour, without lamps" };
+    bouknight: Bouknight = "bouknight" { year: "1970", author: "Bouknight", formula: "C (ka Ia + kd sum S I (N.L)^1.25)", rays: "none", about: "Diffuse surfaces without a Mach band at the edge of a shadow" };
+    romney: Romney = "romney" { year: "1970", author: "Romney", formula: "C (N.V)^2 min(1, d0/d)^4", rays: "none", about: "The only lamp is in the eye" };
+    blinn: Blinn = "blinn" { year: "1977", author: "Blinn", formula: "ka C Ia + sum S I (kd C N.L + ks (N.H)^n) + ks Ir + kt It", rays: "reflected ks, refracted kt", about: "Phong's highlights by the vector halfway between lamp and eye" };
 }
 
 /// The secondary rays of a point, by their weights: the part of their light that the point sends back; `None` for no ray.

@@ -17,8 +17,8 @@ pub use pages::{CompletionsArgs, ManArgs};
 pub use picture::{HashArgs, RenderArgs, ShowArgs};
 pub use scene::{BakeArgs, CheckArgs, ReadingArgs};
 pub use study::{
-    BenchArgs, DifferenceArgs, IndexingArgs, InstructionsArgs, PaletteArgs, Peer, ReportArgs, StabilityArgs,
-    TracedArgs, ValuesArgs,
+    BenchArgs, CompareArgs, DifferenceArgs, IndexingArgs, InstructionsArgs, PaletteArgs, Peer, ReportArgs,
+    StabilityArgs, TracedArgs, ValuesArgs,
 };
 pub use tracing::TracingArgs;
 
@@ -118,6 +118,10 @@ pub enum Command {
     /// FLIP (0 to 1) and S-CIELAB at a distance, which is a number of pixels in one degree of the visual field, and PSNR. Codes are
     /// read as sRGB.
     Difference(DifferenceArgs),
+    /// List the illumination models: year, author, formula, rays and cost
+    Models,
+    /// Draw a scene by several illumination models, side by side on one sheet
+    Compare(CompareArgs),
     /// Compare stated values of illumination models with what the program computes
     ///
     /// A text states a value as name(arguments) = number, as in fresnel(1.52,80) = 0.390949863; everything else in it is passed

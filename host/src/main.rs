@@ -9,7 +9,7 @@ use rta::commands::show::window;
 use rta::commands::{bake, check, explain, hash, pages, render};
 use rta::engine::interrupt;
 use rta::error::Error;
-use rta::study::{bench, difference, palette, report, stability, values};
+use rta::study::{bench, compare, difference, models, palette, report, stability, values};
 
 /// Exit status after a comparison that found a difference, which is no error of the program's.
 const DIFFERENT: u8 = 1;
@@ -57,6 +57,8 @@ fn run(command: Option<Command>) -> Result<(), Error> {
         Some(Command::Bake(args)) => bake::run(&args)?,
         Some(Command::Hash(args)) => hash::run(&args)?,
         Some(Command::Explain(args)) => explain::run(&args)?,
+        Some(Command::Models) => models::run()?,
+        Some(Command::Compare(args)) => compare::run(&args)?,
         Some(Command::Palette(args)) => palette::run(&args)?,
         Some(Command::Indexing(args)) => palette::instructions::run(&args)?,
         Some(Command::Difference(args)) => difference::run(&args)?,

@@ -2,12 +2,15 @@
 //! two pictures look.
 
 pub mod bench;
+pub mod compare;
 pub mod difference;
 pub mod error;
 pub mod markdown;
 pub mod measure;
+pub mod models;
 pub mod paired;
 pub mod palette;
 pub mod report;
+mod sheet;
 pub mod stability;
 pub mod values;

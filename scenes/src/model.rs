@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use rta_core::illumination::Illumination;
+use rta_core::illumination::{Facts, Illumination};
 use rta_core::light::Lamp;
 use rta_core::needs::Used;
 use rta_core::scalar::Scalar;
@@ -12,11 +12,11 @@ use crate::used;
 
 /// Makes the type and the dispatch from the list. `$d` is a dollar sign, for the macro that this one defines.
 macro_rules! models {
-    (($d:tt) $($Model:ident $name:literal $about:tt)*) => {
+    (($d:tt) $($Model:ident $name:literal $facts:tt)*) => {
         /// An illumination model.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
         pub enum Model {
-            $(#[doc = $about] $Model,)*
+            $(#[doc = concat!("The model `", $name, "`.")] $Model,)*
         }
 
         impl Model {
@@ -31,12 +31,18 @@ macro_rules! models {
                 }
             }
 
+            /// Returns what is to be said of it.
+            #[must_use]
+            pub const fn facts(self) -> Facts {
+                match self {
+                    $(Self::$Model => Facts $facts,)*
+                }
+            }
+
             /// Returns what a help text says of it, without a full stop.
             #[must_use]
             pub const fn about(self) -> &'static str {
-                match self {
-                    $(Self::$Model => $about,)*
-                }
+                self.facts().about
             }
         }
 

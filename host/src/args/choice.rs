@@ -47,3 +47,27 @@ where
         number.ok_or_else(|| format!("expected a whole number from {} to {}", range.start(), range.end()))
     }
 }
+
+/// The models that are put side by side.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Models(pub Vec<Model>);
+
+/// Reads names with commas between them, or `all`.
+impl FromStr for Models {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        if text.eq_ignore_ascii_case("all") {
+            return Ok(Self(Model::ALL.to_vec()));
+        }
+        let known = || Model::ALL.iter().map(|model| model.name()).collect::<Vec<_>>().join(", ");
+        let model = |name: &str| {
+            let named = |model: &&Model| model.name().eq_ignore_ascii_case(name.trim());
+            let model = Model::ALL.iter().find(named).copied();
+            model.ok_or_else(|| {
+                format!("expected all, or models with commas between them, of {}; found {name:?}", known())
+            })
+        };
+        text.split(',').map(model).collect::<Result<_, _>>().map(Self)
+    }
+}

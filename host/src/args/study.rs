@@ -161,6 +161,24 @@ pub struct DifferenceArgs {
     pub pixels_per_degree: PixelsPerDegree,
 }
 
+/// `rta compare`: several models, so none is chosen.
+#[derive(Args, Debug)]
+#[command(mut_arg("model", |model| model.hide(true)), mut_arg("table", |table| table.hide(true)))]
+#[command(mut_arg("dither", |dither| dither.hide(true)))]
+pub struct CompareArgs {
+    /// Scene file, or - for standard input
+    pub scene: PathBuf,
+    /// Illumination models with commas between them, or all
+    #[arg(long, value_name = "A,B,...", default_value = "all")]
+    pub models: choice::Models,
+    /// Picture file that gets the pictures side by side
+    #[arg(short, long, value_name = "FILE")]
+    pub output: PathBuf,
+    /// How the pictures are traced.
+    #[command(flatten)]
+    pub tracing: TracingArgs,
+}
+
 /// `rta values`.
 #[derive(Args, Debug)]
 pub struct ValuesArgs {
