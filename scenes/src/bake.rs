@@ -25,16 +25,22 @@ use core::fmt;
 use std::path::{Path, PathBuf};
 use std::{env, fs, io};
 
+use rta_core::accelerator::Lists;
+use rta_core::range::Admitted;
+
 use crate::accelerator::bvh;
+use crate::air::Air;
 use crate::description::Description;
 use crate::error::SceneError;
 pub use crate::format::Format;
 use crate::lines::OutOfRange;
 pub use crate::model::Model;
 use crate::narrow::{NarrowError, narrow};
+use crate::shading::middle;
 use crate::{in_format, read};
 
 mod literal;
+mod model;
 mod module;
 #[cfg(test)]
 mod tests;
@@ -170,5 +176,8 @@ fn source<S: Literal>(scene: &Description, name: &str, recipe: &Recipe) -> Resul
     let mut source = String::new();
     // A String takes all that is written to it.
     let _ = module::write(&mut source, name, (&narrowed, &hierarchy), limits, used, recipe);
+    let admitted = Admitted::baked(narrowed.scene(), limits, Lists);
+    let middle = middle(&narrowed, &admitted);
+    let _ = model::write(&mut source, &narrowed, (recipe.model, scene.air), middle);
     Ok(source)
 }

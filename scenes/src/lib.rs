@@ -23,6 +23,9 @@
 //!
 //! `examples/draw.rs` goes on from there, through a number format to a picture file.
 
+#[macro_use]
+pub mod model; // first, for its macro
+
 pub mod accelerator;
 pub mod air;
 pub mod bake;
@@ -34,8 +37,6 @@ pub mod fit;
 pub mod format;
 pub mod gloss;
 mod lines;
-#[macro_use]
-pub mod model;
 pub mod narrow;
 pub mod nff;
 mod numbers;

@@ -31,6 +31,13 @@ macro_rules! models {
                 }
             }
 
+            /// Returns the name of its type in the core.
+            pub(crate) const fn type_name(self) -> &'static str {
+                match self {
+                    $(Self::$Model => stringify!($Model),)*
+                }
+            }
+
             /// Returns what is to be said of it.
             #[must_use]
             pub const fn facts(self) -> Facts {
@@ -82,7 +89,7 @@ impl fmt::Display for Model {
 }
 
 /// The constants of [`Illumination`] on which the needs of a scene depend. They do not depend on the number format.
-#[derive(Clone, Copy, PartialEq, Eq)]
+#[derive(Clone, Copy)]
 struct Traits {
     specular: bool,
     attenuation: bool,
@@ -115,12 +122,5 @@ impl Model {
         let attenuation = used.lamps && scene.lamps.iter().any(fades);
         let several_fall_offs = attenuation && !scene.lamps.iter().all(fades);
         Used { attenuation, several_fall_offs, ..used }
-    }
-
-    /// Returns the name that a baked scene bears: that of the first model which uses the same of every scene. The scene serves
-    /// all of these models.
-    pub(crate) fn representative(self) -> &'static str {
-        let same = |model: &&Self| model.traits() == self.traits();
-        Self::ALL.iter().find(same).map_or(self.name(), |model| model.name())
     }
 }

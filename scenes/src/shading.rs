@@ -78,12 +78,16 @@ pub fn any_model<S: Narrow, A: Accelerator<S>>(
     scene: &Narrowed<S>,
     admitted: &Admitted<'_, S, A>,
 ) -> AnyModel<S> {
-    let (camera, middle) = (&scene.camera, S::Unit::ZERO);
-    let ray = admitted.ray::<Everything>(camera.eye, camera.direction(middle, middle));
-    let hit = admitted.closest::<Everything>(&ray);
-    let middle = hit.map_or_else(|| S::length(1.0), |hit| hit.distance);
+    let middle = middle(scene, admitted);
     let air = Layer::new(air, middle, &scene.sky);
     Through { model: in_model!(model, model => owned(model.focused(middle), scene)), air }
+}
+
+/// Returns the length of the ray in the middle of the picture, 1 if it meets nothing.
+pub fn middle<S: Narrow, A: Accelerator<S>>(scene: &Narrowed<S>, admitted: &Admitted<'_, S, A>) -> S {
+    let (camera, middle) = (&scene.camera, S::Unit::ZERO);
+    let ray = admitted.ray::<Everything>(camera.eye, camera.direction(middle, middle));
+    admitted.closest::<Everything>(&ray).map_or_else(|| S::length(1.0), |hit| hit.distance)
 }
 
 fn owned<S: Narrow, M: Tabled<S> + 'static>(model: M, scene: &Narrowed<S>) -> Shaded<S> {

@@ -16,7 +16,7 @@ use crate::accelerator::bvh::Built;
 use crate::narrow::{Narrow, Narrowed};
 
 /// An item may not need all its names, and nobody reads its numbers.
-const ALLOW: &str = "#[allow(dead_code, unused_imports, clippy::unreadable_literal, unreachable_pub)]";
+pub(super) const ALLOW: &str = "#[allow(dead_code, unused_imports, clippy::unreadable_literal, clippy::default_constructed_unit_structs, unreachable_pub)]";
 
 /// Writes the whole module.
 pub(super) fn write<S: Literal>(
@@ -28,7 +28,7 @@ pub(super) fn write<S: Literal>(
     recipe: &Recipe,
 ) -> fmt::Result {
     let (format, aspect) = (<S as Narrow>::NAME, recipe.aspect);
-    let model = recipe.model.representative();
+    let model = recipe.model;
     let name = name.replace(['\n', '\r'], " ");
     writeln!(out, "// {name} in {format} for a screen of the shape {aspect:.4} : 1 and the model {model}.")?;
     writeln!(
@@ -111,7 +111,7 @@ fn write_needs(out: &mut impl Write, used: Used) -> fmt::Result {
 }
 
 /// Short names for what the expressions are made of, within one item.
-fn write_names(out: &mut impl Write, constructors: &str) -> fmt::Result {
+pub(super) fn write_names(out: &mut impl Write, constructors: &str) -> fmt::Result {
     out.write_str(
         "    use ::rta_core::Scalar;
     use ::rta_core::color::Rgb;
@@ -246,11 +246,11 @@ fn write_hierarchy<S: Literal>(out: &mut impl Write, hierarchy: &Built<S>) -> fm
     writeln!(out, "    ];")
 }
 
-fn length<S: Literal>(length: S) -> String {
+pub(super) fn length<S: Literal>(length: S) -> String {
     format!("length({})", length.length_bits())
 }
 
-fn unit<S: Literal>(unit: S::Unit) -> String {
+pub(super) fn unit<S: Literal>(unit: S::Unit) -> String {
     format!("unit({})", S::unit_bits(unit))
 }
 
@@ -262,11 +262,11 @@ fn direction<S: Literal>(v: UnitVec3<S>) -> String {
     format!("Direction::new({}, {}, {})", unit::<S>(v.x()), unit::<S>(v.y()), unit::<S>(v.z()))
 }
 
-fn color<S: Literal>(c: Rgb<S::Unit>) -> String {
+pub(super) fn color<S: Literal>(c: Rgb<S::Unit>) -> String {
     format!("Rgb::new({}, {}, {})", unit::<S>(c.r), unit::<S>(c.g), unit::<S>(c.b))
 }
 
-fn light<S: Literal>(c: Rgb<S::Light>) -> String {
+pub(super) fn light<S: Literal>(c: Rgb<S::Light>) -> String {
     let bits = |light| format!("light({})", S::light_bits(light));
     format!("Rgb::new({}, {}, {})", bits(c.r), bits(c.g), bits(c.b))
 }
@@ -288,7 +288,7 @@ fn material<S: Literal>(material: &Material<S>) -> String {
     }
 }
 
-fn exponent(exponent: Exponent) -> String {
+pub(super) fn exponent(exponent: Exponent) -> String {
     let (mantissa, places) = exponent.parts();
     format!("::rta_core::scalar::Exponent::new({mantissa}, {places})")
 }

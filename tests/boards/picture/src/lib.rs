@@ -7,7 +7,7 @@ pub mod stream;
 
 use rta_core::accelerator::Accelerator;
 use rta_core::color::Rgb;
-use rta_core::illumination::Rta;
+use rta_core::illumination::Illumination;
 use rta_core::raster::lattice::Lattice;
 use rta_core::raster::{Pixels, Raster};
 use rta_core::trace::Tracer;
@@ -100,8 +100,8 @@ pub fn checksum<T: ColorTable>(table: T) -> u64 {
     }
 }
 
-/// The tracer of the baked scene, by whichever accelerator it has.
-type Traced<'a, A> = Tracer<'a, scene::Number, Rta, Needs, { DEPTH as usize }, A>;
+/// The tracer of the baked scene with its model, by whichever accelerator it has.
+type Traced<'a, M, A> = Tracer<'a, scene::Number, M, Needs, { DEPTH as usize }, A>;
 
 fn draw_sized<D: Display, T: ColorTable>(
     display: D,
@@ -112,7 +112,7 @@ fn draw_sized<D: Display, T: ColorTable>(
 ) -> Result<D, DrawError<D::Error>> {
     let raster = Raster::new(width, height).map_err(DrawError::Tracer)?;
     let scene = if BAKED { &scene::SCENE } else { core::hint::black_box(&scene::SCENE) };
-    let tracer: Traced<'_, _> = Tracer::new(scene, Rta, DEPTH.into()).map_err(DrawError::Tracer)?;
+    let tracer: Traced<'_, _, _> = Tracer::new(scene, scene::model(), DEPTH.into()).map_err(DrawError::Tracer)?;
     if COLORS == Colors::Standard {
         return paint(
             &tracer,
@@ -137,8 +137,8 @@ fn draw_sized<D: Display, T: ColorTable>(
 /// Makes a palette for the picture on a display, from samples of it.
 // By itself, so that the samples' memory is free again when the picture is drawn.
 #[inline(never)]
-fn palette<A: Accelerator<scene::Number>>(
-    tracer: &Traced<'_, A>,
+fn palette<M: Illumination<scene::Number>, A: Accelerator<scene::Number>>(
+    tracer: &Traced<'_, M, A>,
     raster: Raster,
     display: Capabilities,
 ) -> Result<Palette, TableError> {
@@ -149,8 +149,14 @@ fn palette<A: Accelerator<scene::Number>>(
     variance_cut(&mut memory, light, lattice.grid().width(), display.colors, display.gun_max)
 }
 
-fn paint<D: Display, T: ColorTable, H: Dither, A: Accelerator<scene::Number>>(
-    tracer: &Traced<'_, A>,
+fn paint<
+    D: Display,
+    T: ColorTable,
+    H: Dither,
+    M: Illumination<scene::Number>,
+    A: Accelerator<scene::Number>,
+>(
+    tracer: &Traced<'_, M, A>,
     raster: Raster,
     mut painter: Painter<D, T, H>,
     (left, top): (u32, u32),
