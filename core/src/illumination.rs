@@ -8,6 +8,7 @@ pub mod fade;
 pub mod fresnel;
 pub mod microfacet;
 mod passage;
+pub mod reflection;
 pub mod table;
 mod weight;
 
@@ -27,7 +28,7 @@ macro_rules! models {
     (($d:tt) $($module:ident: $Model:ident = $name:literal $facts:tt;)*) => {
         $(
             mod $module;
-            pub use $module::$Model;
+            pub use $module::*;
         )*
 
         /// Calls the macro that it is given with all models of `rta_core::illumination`: after the arguments that follow the
@@ -78,6 +79,8 @@ models! { ($)
     bouknight: Bouknight = "bouknight" { year: "1970", author: "Bouknight", formula: "C (ka Ia + kd sum S I (N.L)^1.25)", rays: "none", about: "Diffuse surfaces without a Mach band at the edge of a shadow" };
     romney: Romney = "romney" { year: "1970", author: "Romney", formula: "C (N.V)^2 min(1, d0/d)^4", rays: "none", about: "The only lamp is in the eye" };
     blinn: Blinn = "blinn" { year: "1977", author: "Blinn", formula: "ka C Ia + sum S I (kd C N.L + ks (N.H)^n) + ks Ir + kt It", rays: "reflected ks, refracted kt", about: "Phong's highlights by the vector halfway between lamp and eye" };
+    newell: Newell = "newell" { year: "1972", author: "Newell, Newell, Sancha", formula: "(1 - t) (phong without rays) + t It", rays: "straight t", about: "Transparency without refraction, denser at edges, over Phong's surfaces" };
+    kay_greenberg: KayGreenberg = "kay-greenberg" { year: "1979", author: "Kay, Greenberg", formula: "whitted, each ray inside of a material times A^d", rays: "reflected ks, refracted kt", about: "Whitted's with light that is absorbed inside of materials" };
 }
 
 /// The secondary rays of a point, by their weights: the part of their light that the point sends back; `None` for no ray.

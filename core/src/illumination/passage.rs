@@ -1,9 +1,11 @@
 //! What happens to light on its way: fading, haze, absorption inside of a material.
 
 use super::Weight;
+use super::fade::transmittance;
+use super::table::PositiveOf;
 use crate::color::Rgb;
 use crate::ray::{RayKind, Start};
-use crate::scalar::Scalar;
+use crate::scalar::{Scalar, Unit};
 use crate::surface::Surface;
 
 /// The way of a ray from its origin to what it meets.
@@ -17,6 +19,22 @@ pub struct Way<'a, S: Scalar> {
     pub length: Option<S>,
     /// The surface that it meets; if it is met from the [inside](Surface::inside), the ray ran inside of its material.
     pub surface: Option<&'a Surface<'a, S>>,
+}
+
+impl<S: Scalar> Way<'_, S> {
+    /// Returns the number of the material inside of which the ray ran; `None` for a ray in the air.
+    pub fn inside(&self) -> Option<u16> {
+        self.surface.filter(|surface| surface.inside).map(|surface| surface.number)
+    }
+
+    /// Returns what is left of the light after a way of this length through a material of which the part `2^-density` is left after a
+    /// length of 1; `None` where all is left.
+    pub fn absorbed(&self, density: Rgb<PositiveOf<S>>) -> Option<Passage<S, Rgb<S::Unit>>> {
+        let (none, length) = (S::Unit::ZERO.positive(), self.length?);
+        let is_clear = [density.r, density.g, density.b].iter().all(|register| *register == none);
+        let weight = density.map(|density| transmittance(density, length));
+        (!is_clear).then_some(Passage { weight, veil: Rgb::BLACK })
+    }
 }
 
 /// What a way does to the light of a ray. It acts on all that the ray brings: the light of what it meets and that of its

@@ -5,6 +5,7 @@
 
 use super::Illumination;
 use super::microfacet::Roughness;
+use super::reflection::Reflection;
 use crate::color::Rgb;
 use crate::scalar::{Exponent, Scalar, Unit};
 
@@ -83,6 +84,8 @@ pub enum Value<S: Scalar> {
     Positives(Rgb<PositiveOf<S>>),
     /// Yes or no.
     Flag(bool),
+    /// A reflectance.
+    Reflection(Reflection<S>),
     /// Slopes, of which the last ones may have a share of 0.
     Slopes([Roughness<S::Unit>; MOST_SLOPES]),
 }

@@ -5,6 +5,7 @@ use core::fmt::{self, Write};
 use rta_core::color::Rgb;
 use rta_core::illumination::air::{Distance, Fog, Haze};
 use rta_core::illumination::microfacet::Roughness;
+use rta_core::illumination::reflection::Reflection;
 use rta_core::illumination::table::{PositiveOf, Row, Tabled, Value};
 
 use super::literal::Literal;
@@ -62,6 +63,13 @@ fn literal<S: Literal>(value: Value<S>) -> String {
         Value::Color(value) => color::<S>(value),
         Value::Positives(value) => positives::<S>(value),
         Value::Flag(value) => value.to_string(),
+        Value::Reflection(Reflection { f0, q, denser, is_metal, is_tinted }) => {
+            let (f0, q) = (color::<S>(f0), unit::<S>(q));
+            format!(
+                "::rta_core::illumination::reflection::Reflection {{ f0: {f0}, q: {q}, denser: {denser}, \
+                 is_metal: {is_metal}, is_tinted: {is_tinted} }}"
+            )
+        }
         Value::Slopes(slopes) => {
             let slope = |Roughness { share, inverse }| {
                 let (share, inverse) = (unit::<S>(share), positive::<S>(inverse));

@@ -2,11 +2,10 @@
 
 use super::Air;
 use crate::color::Rgb;
-use crate::illumination::fade::transmittance;
 use crate::illumination::{Passage, Way};
 use crate::needs::Needs;
+use crate::scalar::Scalar;
 use crate::scalar::vector::Vec3;
-use crate::scalar::{Light, Scalar};
 
 /// Fog that absorbs light and scatters none: `exp(-s d)` of it is left over a length d. It acts on every ray.
 #[derive(Clone, Copy, Debug)]
@@ -18,12 +17,10 @@ pub struct Fog<S: Scalar> {
 impl<S: Scalar> Air<S> for Fog<S> {
     fn passage<N: Needs>(
         &self,
-        _way: &Way<S>,
-        length: S,
+        way: &Way<S>,
+        _length: S,
         _lit: impl FnMut(Vec3<S>, usize) -> S::Unit,
     ) -> Option<Passage<S, Rgb<S::Unit>>> {
-        let weight = self.density.map(|density| transmittance(density, length));
-        let dark = S::Light::ZERO;
-        Some(Passage { weight, veil: Rgb::new(dark, dark, dark) })
+        way.absorbed(self.density)
     }
 }
