@@ -108,6 +108,16 @@ impl<'a, S: Scalar> Incident<'a, S> {
         if is_cut { S::Light::WHITE } else { intensity }
     }
 
+    /// Returns the light that a surface with the reflectance `reflectance` sends back of the lamp, rounded once; saturates. A lamp
+    /// that fades is a sphere, as in [`Incident::reflected_sphere`]; `fades` is as in [`Incident::light`].
+    pub fn reflected<N: Needs>(&self, reflectance: S::Power, fades: bool) -> S::Light {
+        if N::ATTENUATION && (!N::SEVERAL_FALL_OFFS || self.lamp.fall_off.fades(fades)) {
+            return self.reflected_sphere(reflectance);
+        }
+        let is_cut = !fades && self.lamp.fall_off == FallOff::OfModel && self.intensity() > S::Light::WHITE;
+        S::intensity(if is_cut { reflectance } else { self.lamp.power.times(reflectance) })
+    }
+
     /// Returns the light that a surface with the reflectance `reflectance` sends back of a spherical lamp, rounded once; saturates.
     ///
     /// The irradiance is that of a point times 1 to 2: the solid angle of the sphere over `pi (r/d)^2`, which is
