@@ -81,6 +81,7 @@ models! { ($)
     blinn: Blinn = "blinn" { year: "1977", author: "Blinn", formula: "ka C Ia + sum S I (kd C N.L + ks (N.H)^n) + ks Ir + kt It", rays: "reflected ks, refracted kt", about: "Phong's highlights by the vector halfway between lamp and eye" };
     newell: Newell = "newell" { year: "1972", author: "Newell, Newell, Sancha", formula: "(1 - t) (phong without rays) + t It", rays: "straight t", about: "Transparency without refraction, denser at edges, over Phong's surfaces" };
     kay_greenberg: KayGreenberg = "kay-greenberg" { year: "1979", author: "Kay, Greenberg", formula: "whitted, each ray inside of a material times A^d", rays: "reflected ks, refracted kt", about: "Whitted's with light that is absorbed inside of materials" };
+    cook_torrance: CookTorrance = "cook-torrance" { year: "1982", author: "Cook, Torrance", formula: "ka C Ia + sum S E (s D G F / (4 N.V) + (1 - s) C N.L)", rays: "reflected mirror F", about: "Rough surfaces of small mirrors, metals in their colours" };
 }
 
 /// The secondary rays of a point, by their weights: the part of their light that the point sends back; `None` for no ray.
