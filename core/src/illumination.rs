@@ -83,6 +83,7 @@ models! { ($)
     kay_greenberg: KayGreenberg = "kay-greenberg" { year: "1979", author: "Kay, Greenberg", formula: "whitted, each ray inside of a material times A^d", rays: "reflected ks, refracted kt", about: "Whitted's with light that is absorbed inside of materials" };
     cook_torrance: CookTorrance = "cook-torrance" { year: "1982", author: "Cook, Torrance", formula: "ka C Ia + sum S E (s D G F / (4 N.V) + (1 - s) C N.L)", rays: "reflected mirror F", about: "Rough surfaces of small mirrors, metals in their colours" };
     blinn_full: BlinnFull = "blinn-full" { year: "1977", author: "Blinn", formula: "ka C Ia + sum S I (kd C N.L + ks D G F / N.V) + ks Ir + kt It", rays: "reflected ks, refracted kt", about: "Highlights of small mirrors, brighter where they are seen at an angle" };
+    hall_greenberg: HallGreenberg = "hall-greenberg" { year: "1983", author: "Hall, Greenberg", formula: "ka C Ia + kd C sum S I N.L + ks (F Ir A^d + sum S I F (N.H)^n) + kt ((1 - F) It A^d + sum' S I (1 - F) (N'.H')^n)", rays: "reflected ks F, refracted kt (1 - F)", about: "Fresnel's equations share the light, glass absorbs, lamps are seen through it" };
 }
 
 /// The secondary rays of a point, by their weights: the part of their light that the point sends back; `None` for no ray.
