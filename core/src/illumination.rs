@@ -8,7 +8,6 @@ pub mod fade;
 pub mod fresnel;
 pub mod microfacet;
 mod passage;
-pub mod reflection;
 pub mod table;
 mod weight;
 

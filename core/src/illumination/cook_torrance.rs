@@ -1,8 +1,7 @@
 //! R. L. Cook and K. E. Torrance, "A Reflectance Model for Computer Graphics", ACM Transactions on Graphics 1 (1982).
 
 use super::microfacet::{Attenuation, Beckmann, Facet, Roughness, Sancer, TorranceSparrow, mixed};
-use super::reflection::Reflection;
-use super::table::{Kind, MOST_SLOPES, Properties, Row, Tabled, Value};
+use super::table::{Kind, MOST_SLOPES, Properties, Reflection, Row, Tabled, Value};
 use super::{Bend, Illumination, Secondary};
 use crate::color::Rgb;
 use crate::light::Incident;

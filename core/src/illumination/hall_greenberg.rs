@@ -1,8 +1,7 @@
 //! R. A. Hall and D. P. Greenberg, "A Testbed for Realistic Image Synthesis", IEEE CG&A 3 (1983).
 
 use super::microfacet::{Facet, highlight, refracting};
-use super::reflection::Reflection;
-use super::table::{Kind, PositiveOf, Properties, Row, Tabled, Value};
+use super::table::{Kind, PositiveOf, Properties, Reflection, Row, Tabled, Value};
 use super::{Bend, Illumination, Passage, Secondary, Way, Whitted};
 use crate::color::Rgb;
 use crate::light::Incident;

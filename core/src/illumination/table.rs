@@ -3,9 +3,12 @@
 //! Rows are made where a scene becomes one of a number format, on a machine that reads scenes, and are borrowed by the model, as the
 //! scene borrows its lists: in RAM or in flash. A program that draws with one model holds the rows of that model and no others.
 
+mod reflection;
+
+pub use reflection::Reflection;
+
 use super::Illumination;
 use super::microfacet::Roughness;
-use super::reflection::Reflection;
 use crate::color::Rgb;
 use crate::scalar::{Exponent, Scalar, Unit};
 

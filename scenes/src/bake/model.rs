@@ -5,8 +5,7 @@ use core::fmt::{self, Write};
 use rta_core::color::Rgb;
 use rta_core::illumination::air::{Distance, Fog, Haze};
 use rta_core::illumination::microfacet::Roughness;
-use rta_core::illumination::reflection::Reflection;
-use rta_core::illumination::table::{PositiveOf, Row, Tabled, Value};
+use rta_core::illumination::table::{PositiveOf, Reflection, Row, Tabled, Value};
 
 use super::literal::Literal;
 use super::module::{ALLOW, color, exponent, length, light, unit, write_names};
@@ -66,7 +65,7 @@ fn literal<S: Literal>(value: Value<S>) -> String {
         Value::Reflection(Reflection { f0, q, denser, is_metal, is_tinted }) => {
             let (f0, q) = (color::<S>(f0), unit::<S>(q));
             format!(
-                "::rta_core::illumination::reflection::Reflection {{ f0: {f0}, q: {q}, denser: {denser}, \
+                "::rta_core::illumination::table::Reflection {{ f0: {f0}, q: {q}, denser: {denser}, \
                  is_metal: {is_metal}, is_tinted: {is_tinted} }}"
             )
         }

@@ -1,9 +1,9 @@
 //! What the border of a material reflects, by what a scene says of the material.
 
-use super::fresnel::{Shift, dielectric, inverse_index};
-use super::table::{Kind, Properties};
+use super::{Kind, Properties};
 use crate::color::Rgb;
-use crate::scalar::{Scalar, Unit};
+use crate::illumination::fresnel::{Shift, dielectric, inverse_index};
+use crate::scalar::{Positive, Scalar, Unit};
 use crate::surface::Surface;
 
 /// The reflectance of a material: of one that light enters by Fresnel's equations and its index of refraction, of a metal by Cook's
@@ -45,7 +45,8 @@ impl<S: Scalar> Reflection<S> {
             _ => (false, false),
         };
         let (q, denser) = material.index().unwrap_or((S::Unit::ratio(INDEX.0, INDEX.1), true));
-        let root = (S::Unit::ONE - q).quotient(S::Unit::ONE + q);
+        let one = S::Unit::ONE;
+        let root = (one - q).positive().over(one.positive().plus(q.positive())).unit();
         let grey = root.times(root);
         let f0 = material.reflectance().unwrap_or(Rgb::new(grey, grey, grey));
         let q = if is_metal { inverse_index(mean(f0)) } else { q };
