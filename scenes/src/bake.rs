@@ -120,7 +120,7 @@ impl From<NarrowError> for BakeError {
 /// # Errors
 /// Whatever keeps the scene from being baked.
 pub fn bake(path: impl AsRef<Path>, format: Format) -> Result<PathBuf, BakeError> {
-    out_dir(path.as_ref(), |scene| Recipe { model: scene.model.into(), ..Recipe::new(format) })
+    out_dir(path.as_ref(), |scene| Recipe { model: scene.model, ..Recipe::new(format) })
 }
 
 /// The same by a recipe.
