@@ -138,7 +138,9 @@ impl Description {
             self.settings.screen = None;
         }
         if let Some(other) = &self.settings.other_model {
-            self.model = models::stand_in(other);
+            let known = models::by_name(other);
+            self.model = known.unwrap_or_else(|| models::stand_in(other));
+            self.settings.other_model = self.settings.other_model.take().filter(|_| known.is_none());
         }
     }
 }

@@ -264,7 +264,7 @@ fn what_does_not_go_together_is_told() {
             "to 0 9 0 lens 1 angle 40",
             "2:33: expected nothing more of the camera, found \"angle\" beside \"lens\"",
         ),
-        ("to 0 9 0 angle 180", "2:29: expected the angle of the camera (degrees > 0 and < 180), found 180"),
+        ("to 0 9 0 angle 180", "2:32: expected the angle of the camera (degrees > 0 and < 180), found 180"),
         ("up 0 0 1", "2:22: expected \"look\" or \"to\" of the camera, found the end of the line"),
     ] {
         assert_eq!(refused(&format!("rta 1\ncamera at 0 0 0 {camera}")), format!("a.rta:{told}"));
