@@ -6,8 +6,8 @@ use super::Reader;
 use super::said::Said;
 use crate::description::{Cone, Cylinder, Detail, Ellipsoid, Plane, Shading, Sphere, Surface, Triangle};
 use crate::error::{Found, SceneError};
-use crate::polygon::{self, MOST_CORNERS, MOST_CROSSINGS, NotCut};
-use crate::space::{Triple, unit};
+use crate::polygon::{self, MOST_CORNERS, MOST_CROSSINGS, NotCut, Sheet};
+use crate::space::{Triple, cross, difference, unit};
 
 /// Returns the number of the next object of a list.
 fn next<T>(list: &[T]) -> u32 {
@@ -118,7 +118,12 @@ impl<'a> Reader<'a> {
             let expected = format!("at most {MOST_CORNERS} corners of the polygon");
             return Err(said.error(said.end, expected, Found::Told(format!("{} of them", corners.len()))));
         }
-        let sheet = match polygon::sheet(corners, normals) {
+        let sheet = if said.statement.keyword == "triangle" {
+            triangle(&corners, &normals)
+        } else {
+            polygon::sheet(corners, normals)
+        };
+        let sheet = match sheet {
             Ok(sheet) => sheet,
             Err(why) => {
                 let noun = said.statement.noun;
@@ -144,6 +149,17 @@ impl<'a> Reader<'a> {
         }
         Ok(())
     }
+}
+
+/// Returns a triangle as a polygon that is cut: as it is, however thin, unless its corners are on one line.
+fn triangle(corners: &[Triple], normals: &[Triple]) -> Result<Sheet, NotCut> {
+    let &[a, b, c] = corners else { return Err(NotCut::Flat) };
+    let sides = unit(difference(b, a)).zip(unit(difference(c, a)));
+    if sides.is_none_or(|(first, second)| cross(first, second) == [0.0; 3]) {
+        return Err(NotCut::Flat);
+    }
+    let normals = normals.first_chunk().copied();
+    Ok(Sheet { triangles: vec![([a, b, c], normals)], is_crossed: false })
 }
 
 fn cone(said: &Said<'_>, surface: Surface, color: Triple) -> Result<Cone, SceneError> {

@@ -71,7 +71,7 @@ const ONCE: &[Statement] = &[
         &[
             must(
                 "",
-                &[V("width", Whole(1, 65535)), V("height", Whole(1, 65535))],
+                &[V("width", Whole(1, u32::MAX)), V("height", Whole(1, u32::MAX))],
                 "pixels of a row, and rows",
             )
             .default("320 200"),

@@ -145,7 +145,10 @@ fn what_does_not_go_together_is_told() {
             "ambient 1 1e999 1",
             "5:11: expected the green of the ambient light's colour (a number >= 0), found 1e999, not a finite number",
         ),
-        ("picture 0 9", "5:9: expected the width of the picture (a whole number from 1 to 65535), found 0"),
+        (
+            "picture 0 9",
+            "5:9: expected the width of the picture (a whole number from 1 to 4294967295), found 0",
+        ),
         (
             "picture 9 9 samples 8",
             "5:21: expected the samples of the picture (a square number: 1, 4, 9, 16 ... 1024), found 8",
@@ -265,7 +268,7 @@ fn what_does_not_go_together_is_told() {
             "2:33: expected nothing more of the camera, found \"angle\" beside \"lens\"",
         ),
         ("to 0 9 0 angle 180", "2:32: expected the angle of the camera (degrees > 0 and < 180), found 180"),
-        ("up 0 0 1", "2:22: expected \"look\" or \"to\" of the camera, found the end of the line"),
+        ("up 0 0 1", "2:25: expected \"look\" or \"to\" of the camera, found the end of the line"),
     ] {
         assert_eq!(refused(&format!("rta 1\ncamera at 0 0 0 {camera}")), format!("a.rta:{told}"));
     }

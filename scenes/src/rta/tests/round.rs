@@ -86,3 +86,47 @@ fn what_glass_and_metals_do_not_say_is_said() {
     assert_eq!(metal.materials[0].metal, Some([0.5, 0.25, 1.0]));
     assert_eq!(of(Kind::Glass, None).named().materials[0].index, Some(1.0));
 }
+
+#[test]
+fn any_text_is_answered_and_what_is_read_is_written() {
+    let answer = |text: &[u8]| match crate::rta::read(text, "a.rta") {
+        Ok(scene) => {
+            let again =
+                crate::rta::read(scene.to_rta().as_bytes(), "b.rta").expect("what is written can be read");
+            assert_eq!(again.without_lines(), scene.named().without_lines());
+            true
+        }
+        Err(error) => {
+            let told = error.to_string();
+            assert!(told.starts_with("a.rta:") && !told.contains('\n'), "{told}");
+            false
+        }
+    };
+    let mut sound = 0;
+    let corpus = [FIRST, METALS, PRISM, EVERYTHING];
+    let words: Vec<&str> = corpus.iter().flat_map(|text| text.split_whitespace()).collect();
+    let mut dice = fastrand::Rng::with_seed(16);
+    for text in corpus {
+        // Cut off anywhere, without any line, and with any byte changed.
+        for end in 0..text.len() {
+            sound += u32::from(answer(&text.as_bytes()[..end]));
+            let mut bytes = text.as_bytes().to_vec();
+            bytes[end] = dice.u8(..);
+            sound += u32::from(answer(&bytes));
+        }
+        for left_out in 0..text.lines().count() {
+            let lines = text.lines().enumerate().filter(|(line, _)| *line != left_out);
+            let lines: Vec<_> = lines.map(|(_, line)| line).collect();
+            sound += u32::from(answer(lines.join("\n").as_bytes()));
+        }
+        // With words of others in the place of its own.
+        for _ in 0..2000 {
+            let mut parts: Vec<&str> = text.split(' ').collect();
+            let at = dice.usize(..parts.len());
+            parts[at] = words[dice.usize(..words.len())];
+            sound += u32::from(answer(parts.join(" ").as_bytes()));
+        }
+    }
+    // Not all of them are wrong in one way.
+    assert!(sound > 1000, "{sound}");
+}

@@ -27,7 +27,8 @@ impl Words {
     fn add(&mut self, keyword: &str, values: impl Display) -> &mut Self {
         debug_assert!(self.is_known(keyword), "{} {keyword}", self.keyword);
         // Keywords stand apart, so that people find them.
-        let space = if keyword.is_empty() || keyword == "at" { " " } else { "  " };
+        let is_first = !self.text.contains(' ');
+        let space = if keyword.is_empty() || is_first { " " } else { "  " };
         self.text += space;
         self.text += keyword;
         let before = self.text.len();
