@@ -15,7 +15,7 @@ pub use advice::parse;
 pub use explain::{Choice, ExplainArgs};
 pub use pages::{CompletionsArgs, ManArgs};
 pub use picture::{HashArgs, RenderArgs, ShowArgs};
-pub use scene::{BakeArgs, CheckArgs, ReadingArgs};
+pub use scene::{BakeArgs, CheckArgs, ConvertArgs, ReadingArgs};
 pub use study::{
     BenchArgs, CompareArgs, DifferenceArgs, IndexingArgs, InstructionsArgs, PaletteArgs, Peer, ReportArgs,
     StabilityArgs, TracedArgs, ValuesArgs,
@@ -31,6 +31,7 @@ Examples:
   rta render - -o - --device none --as ppm <hall-22.dat | pnmtopng >hall.png
   rta render balls2.nff -o balls.png --device none  an NFF scene, as large as it says
 
+rta help scene tells the language of a scene file.
 Short options of a picture are the keys of its window: -d device, -m model, -f format, -t table.
 Status: 0 if all went well, 2 after any error, 130 if interrupted.";
 
@@ -82,6 +83,10 @@ pub enum Command {
     /// no file, builds no table and, in fixed point, computes no float. A build script does the same with
     /// rta_scenes::bake.
     Bake(BakeArgs),
+    /// Write a scene in another format: .rta says all, .dat what the thesis could
+    ///
+    /// The picture stays as it is. The language of a .rta is told by rta help scene.
+    Convert(ConvertArgs),
     /// Print a hash of a scene's picture on a device
     ///
     /// 64 bits over the pixels and the colours that the device is sent. In fixed point, which is what this command traces in
@@ -134,6 +139,9 @@ pub enum Command {
     Completions(CompletionsArgs),
     /// Write the manual pages: rta.1, and one of each command
     Man(ManArgs),
+    /// What `rta help scene` is.
+    #[command(hide = true)]
+    Language,
     /// What `rta bench` runs under valgrind.
     #[command(hide = true)]
     Traced(TracedArgs),

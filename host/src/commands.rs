@@ -2,6 +2,7 @@
 
 pub mod bake;
 pub mod check;
+pub mod convert;
 pub mod explain;
 pub mod hash;
 pub mod pages;

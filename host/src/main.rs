@@ -6,7 +6,7 @@ use std::process::ExitCode;
 
 use rta::args::{self, Command, ShowArgs};
 use rta::commands::show::window;
-use rta::commands::{bake, check, explain, hash, pages, render};
+use rta::commands::{bake, check, convert, explain, hash, pages, render};
 use rta::engine::interrupt;
 use rta::error::Error;
 use rta::study::{bench, compare, difference, models, palette, report, stability, values};
@@ -55,6 +55,8 @@ fn run(command: Option<Command>) -> Result<(), Error> {
         Some(Command::Values(args)) => values::run(&args)?,
         Some(Command::Check(args)) => check::run(&args)?,
         Some(Command::Bake(args)) => bake::run(&args)?,
+        Some(Command::Convert(args)) => convert::run(&args)?,
+        Some(Command::Language) => convert::language()?,
         Some(Command::Hash(args)) => hash::run(&args)?,
         Some(Command::Explain(args)) => explain::run(&args)?,
         Some(Command::Models) => models::run()?,

@@ -6,9 +6,10 @@ pub mod sampling;
 pub mod scene_file;
 
 use rta_core::sampling::{Places, Sampling};
+use rta_scenes::description::Settings;
 
 use crate::args::TracingArgs;
-use crate::engine::{Cutoff, Engine, Format, Model, Settings};
+use crate::engine::{self, Cutoff, Engine, Format, MAX_DEPTH, Model};
 
 use crate::picture::coloring::{Coloring, DitherKind};
 use crate::picture::device::{Device, Target};
@@ -17,7 +18,11 @@ use crate::picture::file::Caption;
 use crate::picture::raster::{Aspect, Size};
 use error::RequestError;
 use fit::Fit;
+use sampling::Samples;
 use scene_file::SceneFile;
+
+/// Depth of the rays where neither the command line nor the scene says it.
+const DEPTH: u32 = 5;
 
 /// A picture that is asked for: its display, its raster and how it is traced.
 #[derive(Clone, Debug, PartialEq)]
@@ -49,10 +54,11 @@ impl TracingArgs {
     /// they name none.
     #[must_use]
     pub fn request(&self, target: Target) -> Request {
-        let Self { format, depth, cutoff, size, aspect, fit, .. } = *self;
+        let Self { format, size, aspect, fit, .. } = *self;
+        let (depth, cutoff) = (self.depth.unwrap_or(DEPTH), self.cutoff.unwrap_or(Cutoff::OFF));
         let coloring = self.coloring(target);
         let model = self.model.unwrap_or(Model::Rta);
-        let sampling = self.samples.sampling(self.jitter);
+        let sampling = self.samples.unwrap_or(Samples::ONE).sampling(self.jitter);
         Request { target, coloring, format, model, depth, cutoff, sampling, size, aspect, fit }
     }
 
@@ -65,7 +71,8 @@ impl TracingArgs {
         Coloring { table, dither: self.dither.unwrap_or(dither), samples: self.table_samples }
     }
 
-    /// Returns the request of these arguments for a picture of `scene` on `target`.
+    /// Returns the request of these arguments for a picture of `scene` on `target`: where they leave something open, it is as the
+    /// scene has it.
     ///
     /// # Errors
     /// [`RequestError::TableWithoutDevice`], and those of [`Request::for_scene`].
@@ -73,13 +80,20 @@ impl TracingArgs {
         if target == Target::None && (self.table.is_some() || self.dither.is_some()) {
             return Err(RequestError::TableWithoutDevice);
         }
-        self.request(target).for_scene(self.model, scene)
+        let request = self.request(target).for_scene(self.model, scene)?;
+        let Settings { depth, cutoff, samples, .. } = scene.description.settings;
+        let depth = self.depth.or(depth).map_or(request.depth, |depth| depth.min(MAX_DEPTH));
+        let cutoff = self.cutoff.or(cutoff.map(Cutoff::nearest)).unwrap_or(request.cutoff);
+        let samples = self.samples.or(samples.and_then(Samples::of));
+        let sampling = samples.map_or(request.sampling, |samples| samples.sampling(self.jitter));
+        Ok(Request { depth, cutoff, sampling, ..request })
     }
 }
 
 impl Request {
     /// Completes the request for a scene. The model is the one that was `asked` for, else the one that the scene was made for;
-    /// where neither the request nor a device states a size, it is the scene's, with square pixels.
+    /// where neither the request nor a device states a size, it is the scene's, and so is the shape of the screen; where the scene
+    /// states none, its pixels are square.
     ///
     /// # Errors
     /// [`RequestError::SceneSize`].
@@ -91,9 +105,10 @@ impl Request {
             let failed =
                 |reason| RequestError::SceneSize { name: scene.source.clone(), width, height, reason };
             let size = Size::new(width, height).map_err(failed)?;
-            let square = || Aspect::new(size.ratio()).map_err(failed);
+            let screen = scene.description.settings.screen;
+            let shape = || Aspect::new(screen.map_or(size.ratio(), |[width, height]| width / height));
             self.size = Some(size);
-            self.aspect = Some(self.aspect.map_or_else(square, Ok)?);
+            self.aspect = Some(self.aspect.map_or_else(|| shape().map_err(failed), Ok)?);
         }
         Ok(self)
     }
@@ -137,7 +152,7 @@ impl Request {
     /// Those of [`Request::raster`], [`RequestError::Refused`] and [`RequestError::Engine`].
     pub fn engine(&self, scene: &SceneFile) -> Result<Engine, RequestError> {
         let (size, aspect) = self.raster()?;
-        let settings = Settings {
+        let settings = engine::Settings {
             width: size.width(),
             height: size.height(),
             aspect,

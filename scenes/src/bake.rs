@@ -29,7 +29,6 @@ use rta_core::accelerator::Lists;
 use rta_core::range::Admitted;
 
 use crate::accelerator::bvh;
-use crate::air::Air;
 use crate::description::Description;
 use crate::error::SceneError;
 pub use crate::format::Format;
@@ -178,6 +177,6 @@ fn source<S: Literal>(scene: &Description, name: &str, recipe: &Recipe) -> Resul
     let _ = module::write(&mut source, name, (&narrowed, &hierarchy), limits, used, recipe);
     let admitted = Admitted::baked(narrowed.scene(), limits, Lists);
     let middle = middle(&narrowed, &admitted);
-    let _ = model::write(&mut source, &narrowed, (recipe.model, scene.air), middle);
+    let _ = model::write(&mut source, &narrowed, (recipe.model, &scene.air), middle);
     Ok(source)
 }

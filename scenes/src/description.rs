@@ -4,16 +4,24 @@
 //! numbers that make sense (positive radii, ks + kt = 1 and so on); whether they fit a number format is asked
 //! later, when the description becomes a scene of that format.
 
-use crate::air::Air;
-use crate::space::unit;
 use crate::warning::Warning;
 
+mod air;
+mod camera;
+mod details;
 mod material;
+mod settings;
+mod texture;
 
 pub use rta_core::light::FallOff;
 
 pub use crate::model::Model;
+pub use air::{Air, Attenuation, Fading, Medium};
+pub use camera::{Camera, Optics, Side};
+pub use details::{Detail, Details, LampShape, Shading};
 pub use material::{Coefficients, Dispersion, Edge, Kind, Material, Slope};
+pub use settings::{ModelOption, Settings};
+pub use texture::{Axis, Pattern, Texture};
 
 /// A whole scene.
 #[derive(Clone, Debug, PartialEq)]
@@ -44,54 +52,20 @@ pub struct Description {
     pub sky: Sky,
     /// The illumination model that the scene was made for.
     pub model: Model,
-    /// What fills the space between its things.
-    pub air: Air,
     /// Width and height in pixels that the scene was made for, if its file says so; the pixels are square.
     pub raster: Option<[u32; 2]>,
+    /// What a camera with a lens has that a pinhole has not.
+    pub optics: Optics,
+    /// How the scene is to be drawn, as far as its file says so.
+    pub settings: Settings,
+    /// What light meets between the surfaces.
+    pub air: Air,
+    /// Textures, to which materials refer by name.
+    pub textures: Vec<Texture>,
+    /// What few objects and lamps have.
+    pub details: Details,
     /// What the reader has to say about the file.
     pub warnings: Vec<Warning>,
-}
-
-/// The pinhole camera. One side of its image plane is 1 unit long.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Camera {
-    /// The observer's position.
-    pub eye: [f64; 3],
-    /// The direction of view: of any length but zero.
-    pub view: [f64; 3],
-    /// Distance from the eye to the image plane, above 0.
-    pub focal: f64,
-    /// The side of the image plane that is 1 unit long; the other follows from the shape of the screen.
-    pub side: Side,
-    /// What is up in the picture, not along the direction of view; without it, the zenith.
-    pub up: Option<[f64; 3]>,
-}
-
-/// A side of the image plane.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Side {
-    /// From left to right.
-    #[default]
-    Width,
-    /// From bottom to top.
-    Height,
-}
-
-impl Camera {
-    /// A camera that is held upright, with an image plane 1 unit wide.
-    #[must_use]
-    pub const fn upright(eye: [f64; 3], view: [f64; 3], focal: f64) -> Self {
-        Self { eye, view, focal, side: Side::Width, up: None }
-    }
-
-    /// The direction of view with length 1.
-    ///
-    /// It is scaled by its greatest component first, so that neither 1e300 nor 1e-300 leaves the range of `f64`.
-    /// `None` if the direction is zero or not finite.
-    #[must_use]
-    pub fn direction(&self) -> Option<[f64; 3]> {
-        unit(self.view)
-    }
 }
 
 /// What a surface is made of: one of the thesis's types 0 to 3, coefficients of its own, or a material with a name.
@@ -267,7 +241,7 @@ pub struct Sky {
 impl Description {
     /// Nothing, in the dark.
     #[must_use]
-    pub const fn empty(camera: Camera) -> Self {
+    pub fn empty(camera: Camera) -> Self {
         Self {
             camera,
             cylinders: Vec::new(),
@@ -282,36 +256,13 @@ impl Description {
             ambient: [0.0; 3],
             sky: Sky { horizon: [0.0; 3], zenith: [0.0; 3] },
             model: Model::Rta,
-            air: Air::Clear,
             raster: None,
+            optics: Optics::default(),
+            settings: Settings::default(),
+            air: Air::default(),
+            textures: Vec::new(),
+            details: Details::default(),
             warnings: Vec::new(),
         }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::Camera;
-
-    fn direction(view: [f64; 3]) -> Option<[f64; 3]> {
-        Camera::upright([0.0; 3], view, 1.0).direction()
-    }
-
-    #[test]
-    fn direction_neither_overflows_nor_vanishes() {
-        for scale in [1e300, 1e-300, 1e-320, 1.0] {
-            let [x, y, z] = direction([3.0 * scale, 0.0, -4.0 * scale]).expect("it is not zero");
-            // Subnormals have few digits left: 1e-320 holds about three.
-            let tolerance = if scale < 1e-307 { 1e-3 } else { 1e-15 };
-            assert!((x - 0.6).abs() < tolerance && y == 0.0 && (z + 0.8).abs() < tolerance, "{x} {y} {z}");
-        }
-        assert_eq!(direction([0.0, 5e-324, 0.0]), Some([0.0, 1.0, 0.0]));
-    }
-
-    #[test]
-    fn no_direction_of_nothing() {
-        assert_eq!(direction([0.0, -0.0, 0.0]), None);
-        assert_eq!(direction([f64::NAN, 1.0, 0.0]), None);
-        assert_eq!(direction([f64::INFINITY, 1.0, 0.0]), None);
     }
 }

@@ -40,6 +40,8 @@ pub enum Found {
     EndOfFile,
     /// The file has nothing in it but white space and comments.
     EmptyFile,
+    /// Something that is told in words, such as the end of a line, or a word with the one that is perhaps meant.
+    Told(String),
     /// A byte outside of comments that is not text: a NUL, or one that is not UTF-8.
     Binary(u8),
 }
@@ -79,7 +81,7 @@ impl Found {
 impl fmt::Display for Found {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Number(text) => write!(f, "{text}"),
+            Self::Number(text) | Self::Told(text) => write!(f, "{text}"),
             Self::NotANumber(text) => write!(f, "\"{text}\", not a number"),
             Self::Word(text) | Self::Unknown(text) => write!(f, "\"{text}\""),
             Self::NotFinite(text) => write!(f, "{text}, not a finite number"),

@@ -8,7 +8,7 @@ use core::fmt;
 
 use crate::accelerator::bounds::Bounds;
 use crate::accelerator::solid::solids;
-use crate::description::{Cone, Description, Lamp, Model, Triangle};
+use crate::description::{Attenuation, Cone, Description, Fading, Lamp, LampShape, Model, Optics, Triangle};
 use crate::format::Format;
 use crate::in_format;
 use crate::narrow::Narrow;
@@ -49,11 +49,7 @@ impl Description {
     fn scale(&mut self, factor: f64) {
         let scale = |place: &mut [f64; 3]| place.iter_mut().for_each(|c| *c *= factor);
         scale(&mut self.camera.eye);
-        self.air = self.air.scaled(factor);
-        // The same part of the light is left over a way that is so many times as long.
-        for absorb in self.materials.iter_mut().filter_map(|material| material.absorb.as_mut()) {
-            *absorb = absorb.map(|left| left.powf(1.0 / factor));
-        }
+        self.scale_rest(factor);
         for cylinder in &mut self.cylinders {
             scale(&mut cylinder.position);
             cylinder.radius *= factor;
@@ -85,6 +81,37 @@ impl Description {
                 color.iter_mut().for_each(|register| *register *= factor * factor);
             }
         }
+    }
+}
+
+impl Description {
+    /// Scales the lengths of what few scenes have.
+    fn scale_rest(&mut self, factor: f64) {
+        let scale = |place: &mut [f64; 3]| place.iter_mut().for_each(|c| *c *= factor);
+        let Optics { focus, aperture, hither, shutter: _ } = &mut self.optics;
+        [focus, aperture, hither].into_iter().flatten().for_each(|length| *length *= factor);
+        if let Some(Attenuation { fading, from, color: _ }) = &mut self.air.attenuation {
+            from.iter_mut().for_each(|length| *length *= factor);
+            if let Fading::Haze(distances) = fading {
+                distances.iter_mut().for_each(|distance| *distance *= factor);
+            }
+        }
+        if let Some(medium) = &mut self.air.medium {
+            medium.extinction.iter_mut().for_each(|part| *part /= factor);
+        }
+        for texture in &mut self.textures {
+            scale(&mut texture.at);
+            texture.scale *= factor;
+        }
+        for left in self.materials.iter_mut().filter_map(|material| material.absorb.as_mut()) {
+            left.iter_mut().for_each(|part| *part = part.powf(1.0 / factor).clamp(f64::MIN_POSITIVE, 1.0));
+        }
+        for shape in self.details.lamps.values_mut() {
+            if let LampShape::Area { corner, edges: [first, second] } = shape {
+                [corner, first, second].into_iter().for_each(scale);
+            }
+        }
+        self.details.objects.values_mut().filter_map(|detail| detail.moves.as_mut()).for_each(scale);
     }
 }
 

@@ -1,8 +1,8 @@
 //! Scene files of rta: readers, and their way into a scene of any number format.
 //!
 //! A reader turns a file into a [`description::Description`], owned and in `f64`: [`dat`] reads the thesis's own
-//! format, [`nff`] that of the Standard Procedural Databases, and [`read`] chooses between them. [`shipped`] holds the
-//! scenes that come with rta; [`fit`](mod@fit) scales a scene that does not fit a number format.
+//! format, [`nff`] that of the Standard Procedural Databases, [`rta`] the scene language, and [`read`] chooses between them.
+//! [`shipped`] holds the scenes that come with rta; [`fit`](mod@fit) scales a scene that does not fit a number format.
 //!
 //! ```
 //! use rta_scenes::{read, shipped};
@@ -27,7 +27,6 @@
 pub mod model; // first, for its macro
 
 pub mod accelerator;
-pub mod air;
 pub mod bake;
 pub mod dat;
 pub mod description;
@@ -40,7 +39,9 @@ mod lines;
 pub mod narrow;
 pub mod nff;
 mod numbers;
+mod polygon;
 mod reading;
+pub mod rta;
 pub mod shading;
 pub mod shipped;
 pub mod space;
@@ -60,11 +61,12 @@ use std::path::Path;
 use description::Description;
 use error::SceneError;
 
-/// Reads a scene in the format that the name of its file says: `.nff`, `.p3f` or `.dat`, in letters of any size. What is
-/// called otherwise, such as standard input, is NFF if it begins with a word, for the other format begins with a number.
+/// Reads a scene in the format that the name of its file says: `.rta`, `.nff`, `.p3f` or `.dat`, in letters of any size. What is
+/// called otherwise, such as standard input, is of the scene language if it begins with `rta`, NFF if it begins with another word,
+/// and else `.dat`, which begins with a number.
 ///
 /// # Errors
-/// Those of [`nff::read`] and [`dat::read`].
+/// Those of [`rta::read`], [`nff::read`] and [`dat::read`].
 pub fn read(text: &[u8], file: &str) -> Result<Description, SceneError> {
     read_with(text, file, Reading::default())
 }
@@ -72,16 +74,18 @@ pub fn read(text: &[u8], file: &str) -> Result<Description, SceneError> {
 /// Reads a scene as [`read`] does, and as `reading` says where the format leaves something open.
 ///
 /// # Errors
-/// Those of [`nff::read_with`] and [`dat::read`].
+/// Those of [`rta::read`], [`nff::read_with`] and [`dat::read`].
 pub fn read_with(text: &[u8], file: &str, reading: Reading) -> Result<Description, SceneError> {
     let extension = Path::new(file).extension();
     let is = |other: &str| extension.is_some_and(|extension| extension.eq_ignore_ascii_case(other));
-    // What is not text or has nothing in it is the same error in both formats.
-    let begins_with_word = || {
-        let first = tokens::Tokens::new(text, file).ok().and_then(|mut tokens| tokens.next());
-        first.is_some_and(|token| !token.is_like_a_number())
-    };
-    let scene = if is("nff") || is("p3f") || (!is("dat") && begins_with_word()) {
+    // What is not text or has nothing in it is the same error in all formats.
+    let first = || tokens::Tokens::new(text, file).ok().and_then(|mut tokens| tokens.next());
+    let is_told = ["rta", "nff", "p3f", "dat"].into_iter().any(is);
+    let word = if is_told { None } else { first().filter(|token| !token.is_like_a_number()) };
+    let is_language = word.is_some_and(|token| token.text == "rta");
+    let scene = if is("rta") || is_language {
+        rta::read(text, file)
+    } else if is("nff") || is("p3f") || word.is_some() {
         nff::read_with(text, file, reading)
     } else {
         dat::read(text, file)

@@ -37,6 +37,8 @@ impl Description {
         self.triangles.iter_mut().for_each(|triangle| triangle.line = 0);
         self.planes.iter_mut().for_each(|plane| plane.line = 0);
         self.lamps.iter_mut().for_each(|lamp| lamp.line = 0);
+        self.materials.iter_mut().for_each(|material| material.line = 0);
+        self.textures.iter_mut().for_each(|texture| texture.line = 0);
         self.warnings.clear();
         self
     }

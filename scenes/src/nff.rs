@@ -57,10 +57,9 @@ use crate::warning::{Tally, Warning};
 mod foreign;
 mod light;
 mod object;
-mod polygon;
 mod view;
 
-pub use object::MOST_CORNERS;
+pub use crate::polygon::MOST_CORNERS;
 
 use light::{Area, Light};
 use view::Viewpoint;

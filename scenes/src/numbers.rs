@@ -18,8 +18,14 @@ pub(crate) enum Range {
     NotPositive,
     /// From 0 to 1.
     Share,
+    /// Above 0 and at most 1.
+    Part,
     /// An angle of view in degrees.
     Angle,
+    /// The angle at which a highlight has half its strength, in degrees.
+    Gloss,
+    /// From one number to another.
+    Between(f64, f64),
 }
 
 impl Range {
@@ -31,7 +37,10 @@ impl Range {
             Self::NotNegative => number >= 0.0,
             Self::NotPositive => number <= 0.0,
             Self::Share => (0.0..=1.0).contains(&number),
+            Self::Part => number > 0.0 && number <= 1.0,
             Self::Angle => number > 0.0 && number < 180.0,
+            Self::Gloss => number > 0.0 && number < 45.0,
+            Self::Between(least, most) => (least..=most).contains(&number),
         }
     }
 }
@@ -45,7 +54,10 @@ impl Display for Range {
             Self::NotNegative => "a number >= 0",
             Self::NotPositive => "a number <= 0",
             Self::Share => "a number from 0 to 1",
+            Self::Part => "a number > 0 and at most 1",
             Self::Angle => "degrees > 0 and < 180",
+            Self::Gloss => "degrees > 0 and < 45",
+            Self::Between(least, most) => return write!(f, "a number from {least} to {most}"),
         })
     }
 }

@@ -1,6 +1,6 @@
 //! What a reader may do with a file that its format leaves open.
 
-use crate::air::Air;
+use crate::description::Air;
 
 /// How a scene file is read where its format leaves that open.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

@@ -19,9 +19,9 @@ use rta_core::surface::Surface;
 use rta_core::trace::decision::direct;
 use rta_core::vector::Vec3;
 
-use crate::air::Air;
+use crate::description::Air;
 use crate::model::Model;
-use crate::narrow::air::Layer;
+use crate::narrow::air::{Layers, layers};
 use crate::narrow::{Narrow, Narrowed};
 
 /// Returns the part of the light of a lamp that reaches a place: see [`Illumination::along`].
@@ -69,17 +69,17 @@ impl<S: Scalar, M: Tabled<S>> Shading<S> for Owned<S, M> {
 pub struct Shaded<S: Scalar>(Arc<dyn Shading<S>>);
 
 /// Any illumination model with any air, ready for one scene.
-pub type AnyModel<S> = Through<Shaded<S>, Option<Layer<S>>>;
+pub type AnyModel<S> = Through<Shaded<S>, Layers<S>>;
 
 /// Returns a model and the air of a scene, ready to be traced.
 pub fn any_model<S: Narrow, A: Accelerator<S>>(
     model: Model,
-    air: Air,
+    air: &Air,
     scene: &Narrowed<S>,
     admitted: &Admitted<'_, S, A>,
 ) -> AnyModel<S> {
     let middle = middle(scene, admitted);
-    let air = Layer::new(air, middle, &scene.sky);
+    let air = layers(air, middle, &scene.sky, scene.ambient);
     Through { model: in_model!(model, model => owned(model.focused(middle), scene)), air }
 }
 

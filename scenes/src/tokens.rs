@@ -1,4 +1,5 @@
-//! A text cut at white space, each piece with its line and column. `#` begins a comment.
+//! A text cut at white space, each piece with its line and column. `#` begins a comment. Where it is asked for, a piece in
+//! quotes holds white space and `#` too.
 
 use crate::error::{Found, SceneError};
 
@@ -30,6 +31,8 @@ pub(crate) struct Tokens<'a> {
     read: (usize, usize),
     /// The line of the last piece that was read.
     last_line: u32,
+    /// Whether a piece that begins with a quote goes on to the next one, or to the end of its line.
+    has_quotes: bool,
 }
 
 impl<'a> Tokens<'a> {
@@ -38,7 +41,8 @@ impl<'a> Tokens<'a> {
     pub(crate) fn new(text: &'a [u8], file: &'a str) -> Result<Self, SceneError> {
         let text = text.strip_prefix(b"\xef\xbb\xbf").unwrap_or(text);
         let text = without_end_mark(text);
-        let mut tokens = Self { rest: text, file, line: 1, column: 1, read: (0, 0), last_line: 0 };
+        let mut tokens =
+            Self { rest: text, file, line: 1, column: 1, read: (0, 0), last_line: 0, has_quotes: false };
         if let Some((at, byte)) = not_text(text) {
             tokens.skip(at);
             let place = (tokens.line, tokens.column);
@@ -47,14 +51,23 @@ impl<'a> Tokens<'a> {
         Ok(tokens)
     }
 
-    /// The next piece, or nothing at the end of the text.
+    /// The text with pieces in quotes.
+    pub(crate) fn with_quotes(self) -> Self {
+        Self { has_quotes: true, ..self }
+    }
+
+    /// The next piece, or nothing at the end of the text. A piece in quotes keeps them; it ends with its line at the latest.
     pub(crate) fn next(&mut self) -> Option<Token<'a>> {
         self.skip_blank();
         let (line, column) = (self.line, self.column);
-        let text = core::str::from_utf8(self.skip(word(self.rest))).unwrap_or_default();
-        if text.is_empty() {
+        let is_quoted = self.has_quotes && self.rest.first() == Some(&b'"');
+        let length = if is_quoted { quoted(self.rest) } else { word(self.rest) };
+        let piece = self.skip(length);
+        if piece.is_empty() {
             return None;
         }
+        // What is no UTF-8 stands behind a # in quotes: a quote alone is no name of a file.
+        let text = core::str::from_utf8(piece).unwrap_or("\"");
         if line != self.last_line {
             (self.read.1, self.last_line) = (self.read.0, line);
         }
@@ -192,6 +205,15 @@ fn blank(text: &[u8]) -> usize {
         };
     }
     length
+}
+
+/// Returns the length in bytes of the piece in quotes with which a text begins.
+fn quoted(text: &[u8]) -> usize {
+    let end = text.iter().skip(1).position(|byte| b"\"\n\r".contains(byte));
+    match end.map(|inside| inside + 1) {
+        Some(end) if text.get(end) == Some(&b'"') => end + 1,
+        end => end.unwrap_or(text.len()),
+    }
 }
 
 /// Returns the length in bytes of the piece with which a text begins.

@@ -43,6 +43,22 @@ impl<S: Scalar, A: Air<S>> Air<S> for Option<A> {
     }
 }
 
+/// Air of two kinds at once.
+impl<S: Scalar, A: Air<S>, B: Air<S>> Air<S> for (A, B) {
+    fn passage<N: Needs>(
+        &self,
+        way: &Way<S>,
+        length: S,
+        mut lit: impl FnMut(Vec3<S>, usize) -> S::Unit,
+    ) -> Option<Passage<S, Rgb<S::Unit>>> {
+        let first = self.0.passage::<N>(way, length, &mut lit);
+        match (first, self.1.passage::<N>(way, length, lit)) {
+            (Some(first), Some(second)) => Some(first.then(second)),
+            (first, second) => first.or(second),
+        }
+    }
+}
+
 /// An illumination model whose light passes through air. A ray that meets nothing shows the sky as it is.
 ///
 /// Weights have three registers, as air may have a colour.

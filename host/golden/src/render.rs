@@ -86,7 +86,7 @@ impl Render {
         accelerator: impl Accelerator<S>,
     ) -> Result<Picture, DrawError> {
         let admitted = narrowed.scene().admit_with(&narrowed.camera, accelerator)?;
-        let model = any_model(self.model.unwrap_or(described.model), described.air, narrowed, &admitted);
+        let model = any_model(self.model.unwrap_or(described.model), &described.air, narrowed, &admitted);
         let tracer: Tracer<_, _, Everything, STACK, _> = Tracer::new(&admitted, model, self.depth)?;
         self.screen.trace(&tracer, &narrowed.camera)
     }

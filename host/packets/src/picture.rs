@@ -16,8 +16,7 @@ use rta_core::scalar::Unit;
 use rta_core::scene::Limits;
 use rta_core::trace::{Observer, Tracer};
 use rta_core::{Q16, Q20, Scalar};
-use rta_scenes::air::Air;
-use rta_scenes::description::Description;
+use rta_scenes::description::{Air, Description};
 use rta_scenes::model::Model;
 use rta_scenes::narrow::{Narrow, NarrowError, Narrowed, narrow};
 use rta_scenes::shading::any_model;
@@ -173,13 +172,14 @@ macro_rules! formats {
                 setup: &Setup,
             ) -> Result<Box<dyn Picture<Self>>, PictureError> {
                 let ready = Ready::<$f>::new(scene, setup)?;
+                let is_clear = scene.air == Air::default();
                 Ok(match model {
                     // The pictures that are drawn most have a tracer of their own.
-                    Model::Rta if scene.air == Air::Clear => Box::new(Modelled { ready, model: Rta }),
-                    Model::Whitted if scene.air == Air::Clear => Box::new(Modelled { ready, model: Whitted::default() }),
-                    Model::Phong if scene.air == Air::Clear => Box::new(Modelled { ready, model: Phong::default() }),
+                    Model::Rta if is_clear => Box::new(Modelled { ready, model: Rta }),
+                    Model::Whitted if is_clear => Box::new(Modelled { ready, model: Whitted::default() }),
+                    Model::Phong if is_clear => Box::new(Modelled { ready, model: Phong::default() }),
                     _ => {
-                        let model = any_model(model, scene.air, &ready.scene, &ready.admitted());
+                        let model = any_model(model, &scene.air, &ready.scene, &ready.admitted());
                         Box::new(Modelled { ready, model })
                     }
                 })

@@ -66,6 +66,12 @@ const MISPLACED: [(&str, Likeness, &str); 3] = [
 pub fn parse(args: impl IntoIterator<Item = OsString>) -> Result<Cli, clap::Error> {
     let mut args: Vec<OsString> = args.into_iter().collect();
     let all = Cli::command();
+    if args.len() == 3
+        && args.get(1).is_some_and(|word| word == "help")
+        && args.get(2).is_some_and(|word| word == "scene")
+    {
+        args.splice(1.., ["language".into()]);
+    }
     if args.get(1).is_some_and(|first| is_for_show(first, &all)) {
         args.insert(1, "show".into());
     }

@@ -36,7 +36,7 @@ impl FromStr for Choice {
 /// `rta explain`.
 #[derive(Args, Debug)]
 pub struct ExplainArgs {
-    /// Scene file (.dat, .nff or .p3f), or - for standard input
+    /// Scene file (.rta, .dat, .nff or .p3f), or - for standard input
     pub scene: PathBuf,
     /// How the scene is read
     #[command(flatten)]
@@ -51,9 +51,11 @@ pub struct ExplainArgs {
     #[arg(short, long, value_parser = choice::model(), ignore_case = true)]
     pub model: Option<Model>,
     /// Reflections and refractions that a ray is followed through; 0 is what the eye sees directly
-    #[arg(long, default_value_t = 5, value_name = "N", value_parser = choice::whole(0..=MAX_DEPTH))]
-    pub depth: u32,
-    /// Pixels of the picture [default: those of a .nff, else 320x200]
+    ///
+    /// [default: what a .rta says, else 5]
+    #[arg(long, value_name = "N", value_parser = choice::whole(0..=MAX_DEPTH), verbatim_doc_comment)]
+    pub depth: Option<u32>,
+    /// Pixels of the picture [default: those of the scene, else 320x200]
     #[arg(short, long, value_name = "WxH")]
     pub size: Option<Size>,
     /// Shape of the screen, as 4:3 or 1.333 [default: square pixels, except that 320x200 is a 4:3 screen]

@@ -12,7 +12,7 @@ use crate::picture::file::FileType;
 /// `rta show`.
 #[derive(Args, Debug)]
 pub struct ShowArgs {
-    /// Scene file (.dat, .nff or .p3f), or - for standard input; without one, the Juggler
+    /// Scene file (.rta, .dat, .nff or .p3f), or - for standard input; without one, the Juggler
     pub scene: Option<PathBuf>,
     /// The display to emulate, or none for 8 bits a gun without a colour table
     #[arg(short, long, value_enum, ignore_case = true, default_value_t = Target::On(Device::Vga))]
@@ -31,7 +31,7 @@ impl Default for ShowArgs {
 /// `rta render`.
 #[derive(Args, Debug)]
 pub struct RenderArgs {
-    /// Scene file (.dat, .nff or .p3f), or - for standard input
+    /// Scene file (.rta, .dat, .nff or .p3f), or - for standard input
     pub scene: PathBuf,
     /// Picture file; its extension tells the kind (see --as); - is standard output
     ///
@@ -57,7 +57,7 @@ pub struct RenderArgs {
 #[derive(Args, Debug)]
 #[command(mut_arg("format", |format| format.default_value(Format::Q16.name())))]
 pub struct HashArgs {
-    /// Scene file (.dat, .nff or .p3f), or - for standard input
+    /// Scene file (.rta, .dat, .nff or .p3f), or - for standard input
     pub scene: PathBuf,
     /// The display
     #[arg(short, long, value_enum, ignore_case = true, default_value_t = Device::Vga)]

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::Args;
 
 use rta_scenes::Reading;
-use rta_scenes::air::Air;
+use rta_scenes::description::Air;
 
 use super::choice;
 use crate::engine::{Format, Model};
@@ -38,7 +38,7 @@ impl From<ReadingArgs> for Reading {
 /// `rta check`.
 #[derive(Args, Debug)]
 pub struct CheckArgs {
-    /// Scene file (.dat, .nff or .p3f), or - for standard input
+    /// Scene file (.rta, .dat, .nff or .p3f), or - for standard input
     pub scene: PathBuf,
     /// How the scene is read
     #[command(flatten)]
@@ -54,10 +54,23 @@ pub struct CheckArgs {
     pub fit: bool,
 }
 
+/// `rta convert`.
+#[derive(Args, Debug)]
+pub struct ConvertArgs {
+    /// Scene file (.rta, .dat, .nff or .p3f), or - for standard input
+    pub scene: PathBuf,
+    /// How the scene is read
+    #[command(flatten)]
+    pub reading: ReadingArgs,
+    /// Scene file, .rta or .dat; - is standard output, which is sent a .rta
+    #[arg(short, long, value_name = "FILE")]
+    pub output: PathBuf,
+}
+
 /// `rta bake`.
 #[derive(Args, Debug)]
 pub struct BakeArgs {
-    /// Scene file (.dat, .nff or .p3f), or - for standard input
+    /// Scene file (.rta, .dat, .nff or .p3f), or - for standard input
     pub scene: PathBuf,
     /// How the scene is read
     #[command(flatten)]

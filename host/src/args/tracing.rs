@@ -22,14 +22,20 @@ pub struct TracingArgs {
     #[arg(short, long, value_parser = choice::model(), ignore_case = true)]
     pub model: Option<Model>,
     /// Reflections and refractions that a ray is followed through; 0 is what the eye sees directly
-    #[arg(long, default_value_t = 5, value_name = "N", value_parser = choice::whole(0..=MAX_DEPTH))]
-    pub depth: u32,
+    ///
+    /// [default: what a .rta says, else 5]
+    #[arg(long, value_name = "N", value_parser = choice::whole(0..=MAX_DEPTH), verbatim_doc_comment)]
+    pub depth: Option<u32>,
     /// A ray that would bring less than this part of its light into the pixel is not traced: 1/64, or 0 for all
-    #[arg(long, value_name = "PART", default_value_t = Cutoff::OFF)]
-    pub cutoff: Cutoff,
+    ///
+    /// [default: what a .rta says, else 0]
+    #[arg(long, value_name = "PART", verbatim_doc_comment)]
+    pub cutoff: Option<Cutoff>,
     /// Samples of a pixel, on a square grid: 1, 4, 9, 16 ... 1024
-    #[arg(long, value_name = "N", default_value_t = Samples::ONE)]
-    pub samples: Samples,
+    ///
+    /// [default: what a .rta says, else 1]
+    #[arg(long, value_name = "N", verbatim_doc_comment)]
+    pub samples: Option<Samples>,
     /// Jitter the samples, each in its own cell of the grid, by this seed
     #[arg(long, value_name = "SEED", value_parser = choice::whole(0..=u32::MAX))]
     pub jitter: Option<u32>,
@@ -42,7 +48,7 @@ pub struct TracingArgs {
     /// The most samples of which a sampled colour table is made, as many as a firmware has memory for, 3 bytes each
     #[arg(long, value_name = "N", default_value_t = Coloring::SAMPLES, value_parser = choice::whole(1..=1_u32 << 20))]
     pub table_samples: u32,
-    /// Pixels of the picture [default: the device's; with --device none those of a .nff, else 320x200]
+    /// Pixels of the picture [default: the device's; with --device none those of the scene, else 320x200]
     ///
     /// On a device the picture is a window in its raster, so it may not be larger, and its pixels keep their
     /// shape. Up to 65535 pixels a side; with --device none only a band of rows is held in memory.
@@ -69,9 +75,9 @@ impl Default for TracingArgs {
             reading: ReadingArgs::default(),
             format: Format::F32,
             model: None,
-            depth: 5,
-            cutoff: Cutoff::OFF,
-            samples: Samples::ONE,
+            depth: None,
+            cutoff: None,
+            samples: None,
             jitter: None,
             table: None,
             dither: None,

@@ -48,6 +48,20 @@ pub enum RequestError {
         /// What scaling it could do.
         fit: Hint,
     },
+    /// A scene is to be written in a format that is only read, or not even that.
+    #[error("{name}: scenes are written as .rta or .dat")]
+    SceneType {
+        /// The file that was to be written.
+        name: String,
+    },
+    /// A scene says more than a `.dat` can.
+    #[error(
+        "{name} says more than a .dat can: spheres, ellipsoids and vertical cylinders of the types 0 to 3 on an opaque floor, under lamps of the model rta, seen by an upright camera; .rta says all"
+    )]
+    Unsayable {
+        /// Name of the scene.
+        name: String,
+    },
     /// The scene file states a raster that no picture can have.
     #[error("{name} is made for {width}x{height} pixels: {reason}; --size sets others")]
     SceneSize {

@@ -15,6 +15,16 @@ impl Samples {
     /// One sample, in the middle of the pixel.
     pub const ONE: Self = Self(Sampling::CENTER);
 
+    /// Returns a number of samples; `None` where it is no square number from 1 to [`Samples::MOST`].
+    #[must_use]
+    pub fn of(samples: u32) -> Option<Self> {
+        let side = samples.isqrt();
+        if side * side != samples || samples > Self::MOST {
+            return None;
+        }
+        u8::try_from(side).ok().and_then(Sampling::grid).map(Self)
+    }
+
     /// The largest number of samples a pixel that may be asked for.
     pub const MOST: u32 = 1024;
 
@@ -37,12 +47,7 @@ impl FromStr for Samples {
     type Err = NotASquare;
 
     fn from_str(text: &str) -> Result<Self, NotASquare> {
-        let samples = text.parse::<u32>().map_err(|_| NotASquare)?;
-        let side = samples.isqrt();
-        if side * side != samples || samples > Self::MOST {
-            return Err(NotASquare);
-        }
-        u8::try_from(side).ok().and_then(Sampling::grid).map(Self).ok_or(NotASquare)
+        text.parse().ok().and_then(Self::of).ok_or(NotASquare)
     }
 }
 

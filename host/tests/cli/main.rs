@@ -8,6 +8,7 @@ use std::process::Output;
 mod bench;
 mod firmware;
 mod folder;
+mod language;
 #[cfg(all(unix, feature = "image"))] // what the system says, and the names of all picture files
 mod mistakes;
 mod nff;

@@ -7,18 +7,19 @@ use rta_core::illumination::air::{Distance, Fog, Haze};
 use rta_core::illumination::microfacet::Roughness;
 use rta_core::illumination::table::{PositiveOf, Reflection, Row, Tabled, Value};
 
+use super::Model;
 use super::literal::Literal;
 use super::module::{ALLOW, color, exponent, length, light, unit, write_names};
-use super::{Air, Model};
+use crate::description::Air;
 use crate::narrow::Narrowed;
-use crate::narrow::air::Layer;
+use crate::narrow::air::{Layer, layers};
 
 /// Writes the function `model`, which returns the model for the scene; `middle` is the length of the ray in the middle of the
 /// picture.
 pub(super) fn write<S: Literal>(
     out: &mut impl Write,
     scene: &Narrowed<S>,
-    (model, air): (Model, Air),
+    (model, air): (Model, &Air),
     middle: S,
 ) -> fmt::Result {
     let mut rows = String::new();
@@ -30,14 +31,12 @@ pub(super) fn write<S: Literal>(
     writeln!(out, "    use ::rta_core::illumination::table::Tabled;\n{rows}")?;
     let focused = format!("::rta_core::illumination::{name}::default(), {}", length(middle));
     let model = format!("Tabled::<Number>::over(&Tabled::<Number>::focused({focused}), &ROWS)");
-    match Layer::new(air, middle, &scene.sky) {
-        None => writeln!(out, "    {model}\n}}"),
-        Some(air) => {
-            let air = layer(&air);
-            writeln!(out, "    use ::rta_core::illumination::air::{{Distance, Fog, Haze, Through}};")?;
-            writeln!(out, "    Through {{ model: {model}, air: {air} }}\n}}")
-        }
-    }
+    let (fading, fog) = layers(air, middle, &scene.sky, scene.ambient);
+    let airs = [fading.as_ref().map(fading_of::<S>), fog.as_ref().map(fog_of::<S>)].into_iter().flatten();
+    let model = airs.fold(model, |model, air| {
+        format!("::rta_core::illumination::air::Through {{ model: {model}, air: ::rta_core::illumination::air::{air} }}")
+    });
+    writeln!(out, "    {model}\n}}")
 }
 
 fn write_rows<S: Literal, M: Tabled<S>>(out: &mut impl Write, model: &M, scene: &Narrowed<S>) -> fmt::Result {
@@ -89,7 +88,7 @@ fn positives<S: Literal>(Rgb { r, g, b }: Rgb<PositiveOf<S>>) -> String {
     format!("Rgb::new({}, {}, {})", positive::<S>(r), positive::<S>(g), positive::<S>(b))
 }
 
-fn layer<S: Literal>(layer: &Layer<S>) -> String {
+fn fading_of<S: Literal>(layer: &Layer<S>) -> String {
     match *layer {
         Layer::Distance(Distance { exponent: p, reference }) => {
             format!("Distance {{ exponent: {}, reference: {} }}", exponent(p), length(reference))
@@ -97,6 +96,9 @@ fn layer<S: Literal>(layer: &Layer<S>) -> String {
         Layer::Haze(Haze { near, far, color }) => {
             format!("Haze {{ near: {}, far: {}, color: {} }}", length(near), length(far), light::<S>(color))
         }
-        Layer::Fog(Fog { density }) => format!("Fog {{ density: {} }}", positives::<S>(density)),
     }
+}
+
+fn fog_of<S: Literal>(Fog { density, glow }: &Fog<S>) -> String {
+    format!("Fog {{ density: {}, glow: {} }}", positives::<S>(*density), light::<S>(*glow))
 }

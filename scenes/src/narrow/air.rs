@@ -4,23 +4,21 @@ use rta_core::color::Rgb;
 use rta_core::illumination::air::{self, Distance, Fog, Haze};
 use rta_core::illumination::{Passage, Way};
 use rta_core::needs::Needs;
-use rta_core::scalar::Scalar;
+use rta_core::scalar::{Light, Scalar};
 use rta_core::scene::Sky;
 use rta_core::vector::Vec3;
 
 use super::Narrow;
 use super::check::exponent;
-use crate::air::Air;
+use crate::description::{Air, Attenuation, Fading, Medium};
 
-/// The layer of air around a model, chosen when the program runs.
+/// How light fades around a model, chosen when the program runs.
 #[derive(Clone, Copy, Debug)]
 pub enum Layer<S: Scalar> {
-    /// Light fades with the distance from the eye.
+    /// With the distance from the eye.
     Distance(Distance<S>),
-    /// Haze.
+    /// In haze.
     Haze(Haze<S>),
-    /// Fog.
-    Fog(Fog<S>),
 }
 
 impl<S: Scalar> air::Air<S> for Layer<S> {
@@ -33,35 +31,38 @@ impl<S: Scalar> air::Air<S> for Layer<S> {
         match self {
             Self::Distance(air) => air.passage::<N>(way, length, lit),
             Self::Haze(air) => air.passage::<N>(way, length, lit),
-            Self::Fog(air) => air.passage::<N>(way, length, lit),
         }
     }
 }
 
-impl<S: Narrow> Layer<S> {
-    /// Returns the layer of that air for a scene with the sky `sky`; `middle` is the length of the ray in the middle of its picture. Lengths beyond
-    /// the format's largest are cut to it: no ray is longer.
-    #[must_use]
-    #[allow(clippy::new_ret_no_self, reason = "clear air is no layer")]
-    pub fn new(air: Air, middle: S, sky: &Sky<S>) -> Option<Self> {
-        let length = |length: f64| S::length(length.clamp(0.0, S::largest()));
-        match air {
-            Air::Clear => None,
-            Air::Distance { exponent: p, reference } => {
-                let reference = reference.map_or(middle, length);
-                Some(Layer::Distance(Distance { exponent: exponent(p), reference }))
-            }
-            Air::Haze { near, far, color } => {
+/// What surrounds a model: how light fades, and a medium.
+pub type Layers<S> = (Option<Layer<S>>, Option<Fog<S>>);
+
+/// Returns the layers of air for a scene with that sky and ambient light; `middle` is the length of the ray in the middle of its
+/// picture. Lengths beyond the format's largest are cut to it: no ray is longer.
+pub fn layers<S: Narrow>(air: &Air, middle: S, sky: &Sky<S>, ambient: Rgb<S::Light>) -> Layers<S> {
+    let length = |length: f64| S::length(length.clamp(0.0, S::largest()));
+    let fading = air.attenuation.map(|Attenuation { fading, from, color }| {
+        let by = |p: f64| {
+            let reference = from.map_or(middle, length);
+            Layer::Distance(Distance { exponent: exponent(p), reference })
+        };
+        match fading {
+            Fading::Warnock => by(1.0),
+            Fading::Romney(p) => by(p),
+            Fading::Haze([near, far]) => {
                 let color = color.map_or(sky.horizon, |color| {
                     let [r, g, b] = color.map(|register| S::light(register.clamp(0.0, S::LARGEST_LIGHT)));
                     Rgb::new(r, g, b)
                 });
-                Some(Layer::Haze(Haze { near: length(near), far: length(far), color }))
-            }
-            Air::Fog { extinction } => {
-                let [r, g, b] = extinction.map(|s| <S as Narrow>::power(s * core::f64::consts::LOG2_E));
-                Some(Layer::Fog(Fog { density: Rgb::new(r, g, b) }))
+                Layer::Haze(Haze { near: length(near), far: length(far), color })
             }
         }
-    }
+    });
+    let fog = air.medium.map(|Medium { extinction, albedo, .. }| {
+        let [r, g, b] = extinction.map(|s| <S as Narrow>::power(s * core::f64::consts::LOG2_E));
+        let albedo = S::unit(albedo);
+        Fog { density: Rgb::new(r, g, b), glow: ambient.map(|light| light.times(albedo)) }
+    });
+    (fading, fog)
 }

@@ -1,9 +1,9 @@
 //! Lights: points, and areas that are taken for points.
 
 use super::Reader;
-use super::polygon;
 use crate::error::SceneError;
 use crate::numbers::{AXES, Range};
+use crate::polygon;
 use crate::space::{Triple, difference, length};
 
 /// A point that shines.

@@ -1,14 +1,11 @@
 //! The objects, and their fill.
 
-use super::polygon::{self, Cut, MOST_CROSSINGS, NotCut};
 use super::{ENTITIES, Fill, Reader};
 use crate::description::{Cone, Ellipsoid, Plane, Sphere, Surface, Triangle};
 use crate::error::{Found, SceneError};
 use crate::numbers::{AXES, Range, Short};
+use crate::polygon::{self, MOST_CORNERS, MOST_CROSSINGS, NotCut};
 use crate::space::{Triple, cross, difference, length, unit};
-
-/// Most corners that a polygon may have: the time to look at a concave one grows with their square.
-pub const MOST_CORNERS: u32 = 10_000;
 
 impl Reader<'_> {
     /// The entity `f`: eight numbers, or eleven in P3F, where the colour of the highlight is told, which here is the light's.
@@ -186,13 +183,13 @@ impl Reader<'_> {
     }
 
     /// A polygon of corners and their normals, if there are any: triangles, or a part of an area light.
-    fn sheet(&mut self, fill: Fill, line: u32, mut corners: Vec<Triple>, mut normals: Vec<Triple>) {
+    fn sheet(&mut self, fill: Fill, line: u32, corners: Vec<Triple>, normals: Vec<Triple>) {
         if self.shines {
             return self.shine(line, &corners);
         }
         let Fill { color, surface } = fill;
-        let Cut { normal, triangles, crossings } = match polygon::cut(&corners) {
-            Ok(cut) => cut,
+        let sheet = match polygon::sheet(corners, normals) {
+            Ok(sheet) => sheet,
             Err(NotCut::Flat) => {
                 return self.tallies.flat.count(line, || "this polygon has no area and is left out".into());
             }
@@ -203,23 +200,11 @@ impl Reader<'_> {
                 return self.tallies.tangled.count(line, text);
             }
         };
-        if !crossings.is_empty() {
+        if sheet.is_crossed {
             let text = || "this polygon crosses itself: all that its outline winds around is shown".into();
             self.tallies.crossed.count(line, text);
         }
-        normals.iter_mut().filter(|own| **own == [0.0; 3]).for_each(|own| *own = normal);
-        for crossing in crossings {
-            corners.push(crossing.mix(&corners));
-            if !normals.is_empty() {
-                // Along a side on which they cancel out, the polygon's own.
-                let mixed = crossing.mix(&normals);
-                normals.push(if mixed == [0.0; 3] { normal } else { mixed });
-            }
-        }
-        let of = |list: &[Triple], vertex: usize| list.get(vertex).copied().unwrap_or(normal);
-        for triangle in triangles {
-            let vertices = triangle.map(|vertex| of(&corners, vertex));
-            let normals = (!normals.is_empty()).then(|| triangle.map(|vertex| of(&normals, vertex)));
+        for (vertices, normals) in sheet.triangles {
             let one_sided = self.reading.one_sided;
             self.scene.triangles.push(Triangle { vertices, normals, one_sided, color, surface, line });
         }

@@ -3,7 +3,7 @@ mod errors;
 
 use super::read;
 use crate::description::{
-    Camera, Cone, Description, Ellipsoid, FallOff, Lamp, Model, Side, Sky, Sphere, Surface, Triangle,
+    Camera, Cone, Description, Ellipsoid, FallOff, Lamp, Model, Optics, Side, Sky, Sphere, Surface, Triangle,
 };
 
 /// One of everything; each test spoils one line of it.
@@ -133,6 +133,7 @@ fn every_number_lands_where_it_belongs() {
         sky: Sky { horizon: [0.1, 0.2, 0.3], zenith: [0.1, 0.2, 0.3] },
         model: Model::Phong,
         raster: Some([640, 480]),
+        optics: Optics { hither: Some(0.5), ..Optics::default() },
         ..Description::empty(camera)
     };
     let mut got = accepted(SCENE);

@@ -46,7 +46,8 @@ impl Reader<'_> {
         let place = self.tokens.place();
         let angle = self.tokens.number("the angle", Range::Angle)?;
         self.word("hither")?;
-        self.tokens.number("hither", Range::Any)?;
+        let hither = self.tokens.number("hither", Range::Any)?;
+        self.scene.optics.hither = Some(hither).filter(|hither| *hither > 0.0);
         self.word("resolution")?;
         let width = self.tokens.whole("the pixels of a row (a whole number > 0)", 1, u32::MAX)?;
         let height = self.tokens.whole("the number of rows (a whole number > 0)", 1, u32::MAX)?;

@@ -4,14 +4,16 @@ use super::Air;
 use crate::color::Rgb;
 use crate::illumination::{Passage, Way};
 use crate::needs::Needs;
-use crate::scalar::Scalar;
 use crate::scalar::vector::Vec3;
+use crate::scalar::{Light, Scalar, Unit};
 
-/// Fog that absorbs light and scatters none: `exp(-s d)` of it is left over a length d. It acts on every ray.
+/// Fog: `exp(-s d)` of the light is left over a length d, and the rest is replaced by the fog's own. It acts on every ray.
 #[derive(Clone, Copy, Debug)]
 pub struct Fog<S: Scalar> {
     /// `s log2 e` of each register: -log2 of what is left over a length of 1, 0 or more.
     pub density: Rgb<S::Power>,
+    /// The radiance of deep fog: the part of the ambient light that it scatters, black where it only absorbs.
+    pub glow: Rgb<S::Light>,
 }
 
 impl<S: Scalar> Air<S> for Fog<S> {
@@ -21,6 +23,8 @@ impl<S: Scalar> Air<S> for Fog<S> {
         _length: S,
         _lit: impl FnMut(Vec3<S>, usize) -> S::Unit,
     ) -> Option<Passage<S, Rgb<S::Unit>>> {
-        way.absorbed(self.density)
+        let Passage { weight, .. } = way.absorbed(self.density)?;
+        let veil = self.glow.zip(weight, |light, left| light.times(S::Unit::ONE - left));
+        Some(Passage { weight, veil })
     }
 }

@@ -11,7 +11,7 @@ use rta_core::trace::Tracer;
 use rta_core::{Q16, Q20};
 use rta_packets::ShadowCache;
 use rta_packets::picture::{Format, Setup};
-use rta_scenes::air::Air;
+use rta_scenes::description::Air;
 use rta_scenes::model::Model;
 use rta_scenes::narrow::{Narrowed, narrow};
 use rta_scenes::shading::any_model;
@@ -33,7 +33,7 @@ fn raster() -> Raster {
 fn listed<S: Format>(scene: &Narrowed<S>, (model, air): (Model, Air)) -> Vec<Rgb<S::Light>> {
     let admitted = scene.scene().admit_with(&scene.camera, Lists).expect("it fits");
     let tracer: Tracer<S, _, Everything, 32> =
-        Tracer::new(&admitted, any_model(model, air, scene, &admitted), DEPTH).expect("a depth");
+        Tracer::new(&admitted, any_model(model, &air, scene, &admitted), DEPTH).expect("a depth");
     Pixels::new(&tracer, &scene.camera, raster()).collect()
 }
 
@@ -47,7 +47,7 @@ fn compare<S: Format>() {
             .iter()
             .cycle()
             .nth(usize::try_from(seed).expect("small"))
-            .map_or(Air::Clear, |text| text.parse().expect("air"));
+            .map_or(Air::default(), |text| text.parse().expect("air"));
         let setup =
             Setup { raster: raster(), aspect: 1.0, depth: DEPTH, cutoff: (0, 1), sampling: Sampling::CENTER };
         let model = Model::ALL.iter().cycle().nth(usize::try_from(seed / 3).expect("small"));

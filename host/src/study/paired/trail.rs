@@ -108,7 +108,7 @@ fn traced<S: Readable + ToF32>(
     narrowed.scene().check_depth(depth)?;
     let packets = Packets::build::<S>(scene);
     let admitted = Admitted::baked(narrowed.scene(), limits, &packets);
-    let model = any_model(settings.model, scene.air, &narrowed, &admitted);
+    let model = any_model(settings.model, &scene.air, &narrowed, &admitted);
     let tracer =
         Tracer::<S, _, Everything, { MAX_DEPTH as usize }, _>::new(&admitted, model, settings.depth)?;
     let rows = window.rows.start..window.rows.end.min(raster.height());

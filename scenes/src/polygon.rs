@@ -8,26 +8,29 @@ use crate::space::{Triple, cross, difference, dot, length, unit};
 /// Twice the area of a triangle that is nothing but rounding, where the polygon is about 1 long.
 const NOTHING: f64 = 1e-14;
 
+/// Most corners that a polygon may have: the time to look at a concave one grows with their square.
+pub const MOST_CORNERS: u32 = 10_000;
+
 /// How near a place has to be to a corner to be that corner, where the polygon is about 1 long.
 const NEAR: f64 = 1e-9;
 
 /// The most places where an outline may cross itself: time and memory grow faster than their number.
-pub(super) const MOST_CROSSINGS: usize = 10_000;
+pub(crate) const MOST_CROSSINGS: usize = 10_000;
 
 /// What a polygon is cut into.
 #[derive(Debug)]
-pub(super) struct Cut {
+struct Cut {
     /// The polygon's own normal (Newell's), of length 1: its corners run counterclockwise about it.
-    pub(super) normal: Triple,
+    normal: Triple,
     /// Three corners each, by their numbers from 0, counterclockwise; numbers beyond the corners are those of crossings.
-    pub(super) triangles: Vec<[usize; 3]>,
+    triangles: Vec<[usize; 3]>,
     /// Where the outline crosses itself, in the order of their numbers.
-    pub(super) crossings: Vec<Crossing>,
+    crossings: Vec<Crossing>,
 }
 
 /// A place on a side, between two corners.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Crossing {
+struct Crossing {
     ends: [usize; 2],
     /// How far it is from the first end, 0 to 1 of the side.
     part: f64,
@@ -35,7 +38,7 @@ pub(super) struct Crossing {
 
 impl Crossing {
     /// Returns what is there of what the corners have: places, or normals.
-    pub(super) fn mix(&self, of_corners: &[Triple]) -> Triple {
+    fn mix(&self, of_corners: &[Triple]) -> Triple {
         let [a, b] = self.ends.map(|end| of_corners.get(end).copied().unwrap_or_default());
         let [x, y, z] = [0, 1, 2].map(|axis: usize| {
             let (a, b) = (a.get(axis).copied().unwrap_or(0.0), b.get(axis).copied().unwrap_or(0.0));
@@ -47,7 +50,7 @@ impl Crossing {
 
 /// Why a polygon is not cut.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum NotCut {
+pub(crate) enum NotCut {
     /// It has no area.
     Flat,
     /// It crosses itself more often than [`MOST_CROSSINGS`].
@@ -58,7 +61,7 @@ pub(super) enum NotCut {
 ///
 /// A convex polygon is a fan about its first corner. Of any other it is shown what the outline winds around, however often
 /// and in either direction (the non-zero rule); where the outline begins plays no part.
-pub(super) fn cut(corners: &[Triple]) -> Result<Cut, NotCut> {
+fn cut(corners: &[Triple]) -> Result<Cut, NotCut> {
     let places = scaled(corners);
     let normal = normal(&places).ok_or(NotCut::Flat)?;
     let plane = Plane::of(normal);
@@ -73,8 +76,37 @@ pub(super) fn cut(corners: &[Triple]) -> Result<Cut, NotCut> {
     if triangles.is_empty() { Err(NotCut::Flat) } else { Ok(Cut { normal, triangles, crossings }) }
 }
 
+/// The triangles of a polygon, with its corners and normals.
+pub(crate) struct Sheet {
+    /// Vertices, and normals at them where the polygon has some.
+    pub(crate) triangles: Vec<([Triple; 3], Option<[Triple; 3]>)>,
+    /// Whether the outline crosses itself.
+    pub(crate) is_crossed: bool,
+}
+
+/// Cuts a polygon with normals at its corners, or with none at all; a normal of length 0 is the polygon's own.
+pub(crate) fn sheet(mut corners: Vec<Triple>, mut normals: Vec<Triple>) -> Result<Sheet, NotCut> {
+    let Cut { normal, triangles, crossings } = cut(&corners)?;
+    let is_crossed = !crossings.is_empty();
+    normals.iter_mut().filter(|own| **own == [0.0; 3]).for_each(|own| *own = normal);
+    for crossing in crossings {
+        corners.push(crossing.mix(&corners));
+        if !normals.is_empty() {
+            // Along a side on which they cancel out, the polygon's own.
+            let mixed = crossing.mix(&normals);
+            normals.push(if mixed == [0.0; 3] { normal } else { mixed });
+        }
+    }
+    let of = |list: &[Triple], vertex: usize| list.get(vertex).copied().unwrap_or(normal);
+    let triangle = |triangle: [usize; 3]| {
+        let normals = (!normals.is_empty()).then(|| triangle.map(|vertex| of(&normals, vertex)));
+        (triangle.map(|vertex| of(&corners, vertex)), normals)
+    };
+    Ok(Sheet { triangles: triangles.into_iter().map(triangle).collect(), is_crossed })
+}
+
 /// Returns the area of a polygon as Newell's normal has it, or a number above 0 where that is 0.
-pub(super) fn area(corners: &[Triple]) -> f64 {
+pub(crate) fn area(corners: &[Triple]) -> f64 {
     let sides = corners.iter().zip(corners.iter().cycle().skip(1));
     let first = corners.first().copied().unwrap_or_default();
     let parts = sides.map(|(&a, &b)| cross(difference(a, first), difference(b, first)));

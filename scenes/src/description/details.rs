@@ -1,0 +1,53 @@
+//! What few things of a scene have, kept beside them, so that the many others need not hold it.
+
+use std::collections::BTreeMap;
+
+use rta_core::scene::Object;
+
+/// What few objects, lamps, floors and skies have.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Details {
+    /// Lamps that are no spheres, by their numbers, from 0.
+    pub lamps: BTreeMap<usize, LampShape>,
+    /// Objects that have more than their kind.
+    pub objects: BTreeMap<Object, Detail>,
+    /// Side of the floor's tiles, above 0; 3 without it.
+    pub tile: Option<f64>,
+    /// File with a picture of the sky, beside that of the scene.
+    pub sky_map: Option<String>,
+}
+
+/// The shape of a lamp that is no sphere. As long as nothing draws it, a sphere stands for it in
+/// [`lamps`](super::Description::lamps).
+#[derive(Clone, Debug, PartialEq)]
+pub enum LampShape {
+    /// So far away that its light is parallel: the direction towards it, of any length but zero.
+    Toward([f64; 3]),
+    /// A parallelogram: a corner, and the edges from there, which are not parallel.
+    Area {
+        /// A corner.
+        corner: [f64; 3],
+        /// The edges.
+        edges: [[f64; 3]; 2],
+    },
+}
+
+/// What an object may have beside what all of its kind have.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Detail {
+    /// How a triangle is shaded.
+    pub shading: Option<Shading>,
+    /// How far it moves while the shutter is open once.
+    pub moves: Option<[f64; 3]>,
+    /// Texture coordinates u and v of the vertices of a triangle.
+    pub uv: Option<[[f64; 2]; 3]>,
+}
+
+/// How a triangle with normals is shaded, where not by mixing them.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Shading {
+    /// The light of the vertices is mixed (Gouraud 1971).
+    Gouraud,
+    /// The cosines are mixed to the second order (Bishop, Weimer 1986).
+    BishopWeimer,
+}

@@ -1,0 +1,97 @@
+//! The illumination models by name, with the options that a scene may give them.
+
+use super::nearest::{any_of, found};
+use super::said::{Datum, Said};
+use crate::description::{Model, ModelOption};
+use crate::error::{Found, SceneError};
+use crate::numbers::Range;
+
+/// An option: its name, and the range of each number that may follow it.
+type Choice = (&'static str, &'static [Range]);
+
+const PHONG: &[Choice] = &[];
+const FACETS: Range = Range::Between(1.0, 1000.0);
+const POSITIVE: &[Range] = &[Range::Positive];
+const EDGE: &[Range] = &[Range::Between(1.0, 3.0), Range::Share, Range::Share];
+const GLOSS: &[Range] = &[Range::Gloss];
+
+/// All models of the language with their options, those that this program does not have yet too.
+const MODELS: &[(&str, &[Choice])] = &[
+    ("flat", &[]),
+    ("rta", &[]),
+    ("lambert", &[]),
+    ("bouknight", &[("mach", &[Range::Between(1.0, 3.0)]), ("p", &[Range::Between(1.0, 2.0)])]),
+    ("romney", &[("p", &[Range::Between(1.0, 100.0)])]),
+    ("newell", &[("edge", EDGE)]),
+    ("phong", PHONG),
+    ("blinn", PHONG),
+    (
+        "blinn-full",
+        &[("power", &[FACETS]), ("gauss", POSITIVE), ("trowbridge", &[Range::Part]), ("gloss", GLOSS)],
+    ),
+    ("kay-greenberg", &[]),
+    ("whitted", PHONG),
+    (
+        "cook-torrance",
+        &[("sancer", &[]), ("exact", &[]), ("published", &[]), ("mirror", &[Range::Share]), ("gloss", GLOSS)],
+    ),
+    ("hall-greenberg", &[("cutoff", &[Range::Share])]),
+];
+
+/// Returns the names of all models, those that can be drawn first.
+fn names() -> impl Iterator<Item = &'static str> {
+    let drawn = Model::ALL.iter().map(|model| model.name());
+    drawn.chain(MODELS.iter().map(|(name, _)| *name).filter(|name| by_name(name).is_none()))
+}
+
+/// Returns the model of this name, if the program has it.
+pub(super) fn by_name(name: &str) -> Option<Model> {
+    Model::ALL.iter().copied().find(|model| model.name() == name)
+}
+
+/// Returns the model that stands for one which the program does not have: one whose lamps are like its own.
+pub(super) fn stand_in(name: &str) -> Model {
+    if name == "cook-torrance" { Model::Rta } else { Model::Whitted }
+}
+
+/// Reads the name of a model.
+pub(super) fn name<'a>(said: &Said<'a>) -> Result<&'a str, SceneError> {
+    let (name, place) = said.part("").map_or(("", said.place), |part| part.word(0));
+    if names().any(|known| known == name) {
+        return Ok(name);
+    }
+    let all: Vec<_> = names().collect();
+    Err(said.error(place, format!("a model (one of {})", all.join(", ")), found(name, all)))
+}
+
+/// Reads the options of a model.
+pub(super) fn options(said: &Said<'_>, model: &str) -> Result<Vec<ModelOption>, SceneError> {
+    let own = MODELS.iter().find(|(name, _)| *name == model).map_or(&[] as &[Choice], |(_, own)| own);
+    let mut data: &[Datum<'_>] = said.part("").map_or(&[], |part| part.data.get(1..).unwrap_or_default());
+    let mut options: Vec<ModelOption> = Vec::new();
+    while let Some((first, rest)) = data.split_first() {
+        let known: Vec<_> = own.iter().map(|(name, _)| *name).collect();
+        let Some((name, ranges)) = own.iter().find(|(name, _)| *name == first.word) else {
+            let expected = match known.as_slice() {
+                [] => format!("nothing more of the model {model}, which has no options"),
+                _ => format!("an option of the model {model} ({})", any_of(&known)),
+            };
+            return Err(said.error(first.place, expected, found(first.word, known)));
+        };
+        if options.iter().any(|option| option.name == *name) {
+            let second = Found::Told(format!("a second \"{name}\""));
+            return Err(said.error(first.place, "nothing more of the model", second));
+        }
+        let numbers = rest.iter().take_while(|datum| datum.is_number).take(ranges.len());
+        for (datum, range) in numbers.clone().zip(*ranges) {
+            if !range.holds(datum.number) {
+                let expected = format!("the {name} of the model {model} ({range})");
+                return Err(said.error(datum.place, expected, Found::token(datum.word)));
+            }
+        }
+        let numbers: Vec<f64> = numbers.map(|datum| datum.number).collect();
+        data = rest.get(numbers.len()..).unwrap_or_default();
+        options.push(ModelOption { name: (*name).into(), numbers });
+    }
+    Ok(options)
+}

@@ -1,0 +1,268 @@
+//! Lamps, textures, materials and objects: the statements that a scene has as often as it likes.
+
+use super::{A_MATERIAL, A_TEXTURE, COLORS, OF, PLACE};
+use crate::numbers::Range::{
+    Any, Between, Gloss, NotNegative, NotZero, Part as Fraction, Positive, Share as Unit,
+};
+use crate::polygon::MOST_CORNERS;
+use crate::rta::table::Kind::{Axis, Color, File, Name, New, Number, Offset, Share, Vector, Whole};
+use crate::rta::table::{Part, Statement, Value as V, either, may, must, one};
+
+const CORNERS: &[V] =
+    &[V("first corner", Vector(Any)), V("second corner", Vector(Any)), V("third corner", Vector(Any))];
+const NORMALS: &[V] =
+    &[V("first normal", Vector(Any)), V("second normal", Vector(Any)), V("third normal", Vector(Any))];
+const UV: &[V] = &[
+    V("first u", Number(Any)),
+    V("first v", Number(Any)),
+    V("second u", Number(Any)),
+    V("second v", Number(Any)),
+    V("third u", Number(Any)),
+    V("third v", Number(Any)),
+];
+
+const COLOR: Part =
+    may("color", &[V("colour", Color(NotNegative))], "its colour: the part of the light that it sends back")
+        .default("that of its material, or white");
+const MOVES: Part = may(
+    "moves",
+    &[V("motion", Vector(Any))],
+    "how far it moves while the shutter is open; kept, not drawn yet",
+);
+const INSIDE: Part = may("inside", &[], "it is seen from the inside only");
+const ONE_SIDED: Part = may("one-sided", &[], "it is seen only from where its corners run counterclockwise");
+const GOURAUD: Part = either(9, "gouraud", &[], "the light of its corners is mixed; kept, not drawn yet");
+const BISHOP: Part =
+    either(9, "bishop-weimer", &[], "cosines are mixed to the second order; kept, not drawn yet");
+const SHARE: Part = may("share", &[V("share", Share)], "their part of all facets").default("1");
+
+const fn object(keyword: &'static str, about: &'static str, parts: &'static [Part]) -> Statement {
+    Statement { keyword, noun: keyword, once: false, about, parts }
+}
+
+/// In the order in which a scene is written.
+pub(super) const THINGS: &[Statement] = &[
+    object(
+        "lamp",
+        "A lamp",
+        &[
+            one(0, "at", PLACE, "a sphere, or a point"),
+            one(0, "toward", &[V("direction", Vector(Any))], "far away, in this direction"),
+            one(
+                0,
+                "corner",
+                &[V("corner", Vector(Any))],
+                "a parallelogram with this corner; drawn as a sphere of its area",
+            )
+            .tail(&[must(
+                "edges",
+                &[V("first edge", Vector(Any)), V("second edge", Vector(Any))],
+                "its edges from there",
+            )]),
+            may("radius", &[V("radius", Number(NotNegative))], "with 0 it shines unseen").default("0"),
+            may("color", &[V("colour", Color(NotNegative))], "its colour").default("white"),
+            may("power", &[V("power", Number(Positive))], "multiplies its colour").default("1"),
+            either(1, "square", &[], "its light falls with the square of the distance"),
+            either(1, "constant", &[], "its light does not depend on the distance")
+                .default("as the model has it"),
+        ],
+    ),
+    object(
+        "texture",
+        "A texture with a name; kept, not drawn yet",
+        &[
+            must("", &[V("name", New)], "its name"),
+            one(0, "checker", COLORS, "cubes in two colours"),
+            one(0, "marble", COLORS, "turbulent waves, with octaves and amount")
+                .more(1, &[V("octaves", Whole(1, 16)), V("amount", Number(NotNegative))])
+                .default("4 2"),
+            one(0, "wood", COLORS, "rings, with an amount of noise")
+                .more(1, &[V("amount", Number(NotNegative))])
+                .default(".1"),
+            one(0, "image", &[V("file", File)], "a picture").tail(&[
+                may("nearest", &[], "its pixels have edges"),
+                may("plane", &[V("first axis", Axis), V("second axis", Axis)], "the axes that it lies along"),
+            ]),
+            may("at", PLACE, "its origin").default("0 0 0"),
+            may("scale", &[V("scale", Number(Positive))], "units of the scene for one of it").default("1"),
+        ],
+    ),
+    object(
+        "material",
+        "A material with a name, for every model at once: each uses what it knows",
+        &[
+            must("", &[V("name", New)], "its name"),
+            may("like", &[V("material", Name(A_MATERIAL))], "all that another material says, before this")
+                .default("opaque"),
+            may("color", &[V("colour", Color(NotNegative))], "colour of objects that have none"),
+            may("ambient", &[V("ambient", Share)], "coefficient of ambient light, ka").default("as diffuse"),
+            may("diffuse", &[V("diffuse", Number(NotNegative))], "diffuse coefficient, kd"),
+            may("back", &[V("back", Share)], "coefficient of light from behind, kdt"),
+            may(
+                "specular",
+                &[V("specular", Number(NotNegative))],
+                "coefficient of highlights and mirror rays, ks; share of microfacets, s",
+            ),
+            may(
+                "transmit",
+                &[V("transmit", Number(NotNegative))],
+                "share of the light that comes through, kt",
+            ),
+            may("mirror", &[V("mirror", Share)], "share of the mirror ray in models of microfacets"),
+            may("exponent", &[V("exponent", Number(NotNegative))], "exponent of highlights, 0 to 1000")
+                .default("50"),
+            may(
+                "gloss",
+                &[V("gloss", Number(Gloss))],
+                "angle at which highlights have half their strength, for every model",
+            ),
+            Part {
+                repeats: true,
+                ..may(
+                    "slope",
+                    &[V("slope", Number(Between(0.01, 1.0)))],
+                    "slope of microfacets, m; up to four, with shares that add up to 1",
+                )
+                .tail(&[SHARE])
+                .default(".3")
+            },
+            may("index", &[V("index", Number(Positive))], "index of refraction").default("1"),
+            either(0, "abbe", &[V("Abbe number", Number(Positive))], "dispersion, by Cauchy's formula"),
+            either(
+                0,
+                "sellmeier",
+                &[V("offset", Offset), V("B", Number(Any)), V("C", Number(Any))],
+                "dispersion: B and C in square micrometres, in pairs",
+            )
+            .more(15, &[V("B", Number(Any)), V("C", Number(Any))]),
+            either(1, "metal", &[V("reflectance", Color(Unit))], "what a metal reflects straight back"),
+            either(
+                1,
+                "nk",
+                &[
+                    V("n of red", Number(Positive)),
+                    V("k of red", Number(NotNegative)),
+                    V("n of green", Number(Positive)),
+                    V("k of green", Number(NotNegative)),
+                    V("n of blue", Number(Positive)),
+                    V("k of blue", Number(NotNegative)),
+                ],
+                "optical constants of a metal",
+            ),
+            may(
+                "absorb",
+                &[V("absorption", Color(Fraction))],
+                "what is left of light inside, after a length of 1",
+            )
+            .tail(&[may("over", &[V("length", Number(Positive))], "after this length").default("1")]),
+            may(
+                "edge",
+                &[V("exponent", Whole(1, 3)), V("least transmission", Share), V("most transmission", Share)],
+                "a thin wall transmits the first share at its edges, the second face on",
+            ),
+            may("thin", &[], "a thin wall: light goes straight through"),
+            may("texture", &[V("texture", Name(A_TEXTURE))], "gives its colour; kept, not drawn yet"),
+            may(
+                "bump",
+                &[V("texture", Name(A_TEXTURE)), V("height", Number(Any))],
+                "gives its bumps; kept, not drawn yet",
+            ),
+        ],
+    ),
+    object(
+        "sphere",
+        "A sphere",
+        &[
+            must("at", PLACE, "its centre"),
+            must("radius", &[V("radius", Number(NotZero))], "below 0 it is seen from the inside only"),
+            COLOR,
+            OF,
+            MOVES,
+        ],
+    ),
+    object(
+        "ellipsoid",
+        "An ellipsoid along the axes of the world",
+        &[
+            must("at", PLACE, "its centre"),
+            must("radii", &[V("radii", Vector(Positive))], "along x, y and z"),
+            INSIDE,
+            COLOR,
+            OF,
+            MOVES,
+        ],
+    ),
+    object(
+        "cylinder",
+        "An endless vertical cylinder",
+        &[
+            must("at", PLACE, "a point of its axis, whose z plays no part"),
+            must("radius", &[V("radius", Number(Positive))], "its radius"),
+            COLOR,
+            OF,
+            MOVES,
+        ],
+    ),
+    object(
+        "cone",
+        "A cone or cylinder between two points",
+        &[
+            must("from", PLACE, "one end").tail(&[must(
+                "radius",
+                &[V("radius", Number(NotNegative))],
+                "its radius there",
+            )]),
+            must("to", PLACE, "the other end").tail(&[must(
+                "radius",
+                &[V("radius", Number(NotNegative))],
+                "its radius there",
+            )]),
+            INSIDE,
+            may("capped", &[], "discs close its ends"),
+            COLOR,
+            OF,
+            MOVES,
+        ],
+    ),
+    object(
+        "triangle",
+        "A triangle",
+        &[
+            must("", CORNERS, "its corners"),
+            may("normals", NORMALS, "at the corners: it is shaded as if it were curved"),
+            may("uv", UV, "texture coordinates of its corners"),
+            ONE_SIDED,
+            COLOR,
+            OF,
+            GOURAUD,
+            BISHOP,
+            MOVES,
+        ],
+    ),
+    object(
+        "polygon",
+        "A polygon, which may be concave; it is cut into triangles",
+        &[
+            must("", CORNERS, "its corners, in order")
+                .more(MOST_CORNERS as usize, &[V("next corner", Vector(Any))]),
+            may("normals", NORMALS, "one a corner")
+                .more(MOST_CORNERS as usize, &[V("next normal", Vector(Any))]),
+            ONE_SIDED,
+            COLOR,
+            OF,
+            GOURAUD,
+            BISHOP,
+            MOVES,
+        ],
+    ),
+    object(
+        "plane",
+        "An infinite plane",
+        &[
+            must("at", PLACE, "a point of it"),
+            must("normal", &[V("normal", Vector(Any))], "its normal, of any length"),
+            COLOR,
+            OF,
+        ],
+    ),
+];
