@@ -28,6 +28,7 @@ fn scene(model: Model) -> Description {
 fn lengths_are_scaled_and_nothing_else() {
     for (model, brighter) in [(Model::Rta, 0.25), (Model::Phong, 1.0)] {
         let mut expected = scene(model);
+        expected.optics.hither = Some(0.5);
         expected.camera.eye = [0.5, 1.0, 1.5];
         for cylinder in &mut expected.cylinders {
             (cylinder.position, cylinder.radius) = ([0.5, 1.0, 1.5], 2.0);

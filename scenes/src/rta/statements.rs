@@ -103,7 +103,7 @@ const ONCE: &[Statement] = &[
     once(
         "attenuation",
         "attenuation",
-        "How light fades on its way to the eye; kept, not drawn yet",
+        "How light fades on its way to the eye",
         &[
             must(
                 "",
@@ -120,7 +120,7 @@ const ONCE: &[Statement] = &[
     once(
         "medium",
         "medium",
-        "What the scene is filled with; kept, not drawn yet",
+        "What the scene is filled with; it absorbs and scatters ambient light, light of lamps is not drawn yet",
         &[
             must("extinction", &[V("extinction", Spectrum(NotNegative))], "per unit of length"),
             may("albedo", &[V("albedo", Share)], "part of it that is scattered").default("1"),

@@ -140,7 +140,6 @@ impl<'a> Reader<'a> {
             let expected = format!("nothing more behind \"{name}\" of the attenuation");
             return Err(said.error(spare.place, expected, Found::token(spare.word)));
         }
-        let line = said.place.0;
         let fading = match name {
             "none" => return Ok(()),
             "fog" => {
@@ -167,7 +166,6 @@ impl<'a> Reader<'a> {
             };
             return Err(said.error(place, expected, Found::token(word)));
         }
-        self.undrawn("the attenuation", line);
         let (from, color) = (said.number("from"), said.triple("color"));
         self.scene.air.attenuation = Some(Attenuation { fading, from, color });
         Ok(())
@@ -188,7 +186,9 @@ impl<'a> Reader<'a> {
             let found = Found::Told("a second: fog is a medium too".into());
             return Err(said.error(said.place, "one medium", found));
         }
-        self.undrawn("the medium", said.place.0);
+        if medium.albedo > 0.0 {
+            self.undrawn("light of lamps that a medium scatters", said.place.0);
+        }
         self.scene.air.medium = Some(medium);
         Ok(())
     }

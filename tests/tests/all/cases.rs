@@ -226,7 +226,7 @@ fn the_scenes_of_the_page_are_drawn() {
     let page = include_str!("../../../scenes/README.md");
     let blocks: Vec<_> =
         page.split("```text\n").skip(1).filter_map(|rest| rest.split("```").next()).collect();
-    let [dat, nff, error] = blocks[..] else { panic!("{} blocks", blocks.len()) };
+    let [.., dat, nff, error] = blocks[..] else { panic!("{} blocks", blocks.len()) };
     for (text, name, objects) in [(dat, "page.dat", 4), (nff, "page.nff", 5)] {
         let scene = rta_scenes::read(text.as_bytes(), name).unwrap_or_else(|error| panic!("{error}"));
         assert!(scene.warnings.is_empty(), "{:?}", scene.warnings);
