@@ -1,5 +1,9 @@
 //! What becomes of light on its way: parts from 0 to 1 by which it is multiplied.
 
+mod airlight;
+
+pub use airlight::airlight;
+
 use crate::scalar::{Exponent, Positive, Scalar, Unit};
 
 /// Returns `min(1, (reference / distance)^exponent)`, what of a surface's light arrives in the eye (Warnock 1969, exponent 1;

@@ -25,6 +25,7 @@ mod numbers;
 mod properties;
 mod range;
 mod readme;
+mod reductions;
 mod report;
 mod sampling;
 mod single_rays;

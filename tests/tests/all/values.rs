@@ -1,5 +1,7 @@
 //! The functions of the illumination models against the values of their specification, in every format.
 
+use std::f64::consts::PI;
+
 use rta::engine::Format;
 use rta::values::{Comparison, compare, names, statements};
 use rta_tests::assert_close;
@@ -7,8 +9,8 @@ use rta_tests::assert_close;
 /// The values of the specification, by its sections.
 const VALUES: &str = include_str!("../../models.md");
 
-/// The functions of the specification that are still to be written: air with a lamp in it, and wavelengths.
-const MISSING: &[&str] = &["airlight", "spectral", "sellmeier", "rocksalt", "ethanol", "cauchy"];
+/// The functions of the specification that are still to be written: wavelengths.
+const MISSING: &[&str] = &["spectral", "sellmeier", "rocksalt", "ethanol", "cauchy"];
 
 /// Returns the values of functions that are there.
 fn known() -> String {
@@ -202,5 +204,89 @@ fn scattered_light_is_all_there() {
             .map(|i| (f64::from(i) + 0.5) * step)
             .map(|angle| value(Format::F64, &format!("phase({g},{angle})")) * angle.to_radians().sin());
         assert_close!(sum.sum::<f64>() * step.to_radians() / 2.0, 1.0, 1e-5, "of the light", "g {g}");
+    }
+}
+
+#[test]
+fn thin_air_shows_the_angle_that_the_lamp_sees() {
+    for format in [Format::F64, Format::F32, Format::Q16, Format::Q20] {
+        for (height, from, to) in [(1.0, -50.0, 50.0), (0.5, 3.0, 4.0), (4.0, -100.0, -0.5), (2.0, 0.0, 9.0)]
+        {
+            let extinction = 1e-6;
+            let angle = f64::atan(to / height) - f64::atan(from / height);
+            let light = value(format, &format!("airlight({extinction},{height},{from},{to})"));
+            let expected = extinction / (4.0 * height) * angle;
+            assert_close!(
+                light,
+                expected,
+                2e-4 * expected,
+                "of a lamp",
+                "{format}, {height}, {from} to {to}"
+            );
+        }
+    }
+}
+
+#[test]
+fn light_through_air_can_be_cut_where_one_likes() {
+    // What a ray gathers up to a place, and what is left there of what it gathers beyond.
+    let (s, height) = (0.3_f64, 0.7_f64);
+    for (from, cut, to) in [(-3.0, -1.0, 5.0), (-3.0, 2.0, 2.5), (0.5, 1.0, 8.0)] {
+        let gathered =
+            |from: f64, to: f64| value(Format::F64, &format!("airlight({s},{height},{from},{to})"));
+        let left = (-s * (cut - from)).exp();
+        let parts = gathered(from, cut) + left * gathered(cut, to);
+        assert_close!(parts, gathered(from, to), 1e-7 * parts, "of a lamp", "{from}, {cut}, {to}");
+    }
+}
+
+#[test]
+fn light_grows_from_nothing_at_the_edge_of_a_shadow() {
+    // The slope at the terminator: kd for Lambert's cosine, 0 for any power above 1.
+    let slope = |exponent: f64, cosine: f64| {
+        let angle = cosine.acos().to_degrees();
+        value(Format::F64, &format!("bouknight(0,.6,{exponent},{angle:.15})")) / cosine
+    };
+    assert_close!(slope(1.0, 1e-4), 0.6, 1e-9, "of kd");
+    for exponent in [1.125, 1.25, 1.5, 2.0] {
+        for cosine in [1e-2, 1e-4, 1e-6] {
+            let expected = 0.6 * f64::powf(cosine, exponent - 1.0);
+            assert_close!(slope(exponent, cosine), expected, 1e-7, "of kd", "power {exponent}");
+        }
+    }
+}
+
+#[test]
+fn facets_refract_without_a_slope_by_snells_law() {
+    for index in [1.1_f64, 1.33, 1.5, 2.4] {
+        for view in [1.0_f64, 10.0, 20.0] {
+            let light = (index * view.to_radians().sin()).asin().to_degrees();
+            let slope = value(Format::F64, &format!("hall_h({light:.15},{view},180,{index})"));
+            assert_close!(slope, 1.0, 1e-12, "of a cosine", "index {index}, {view} degrees");
+        }
+    }
+}
+
+#[test]
+fn facets_fill_what_the_eye_sees_of_the_surface() {
+    // 1/pi of the integral of D max(0, V.H) is the area of all facets that face the eye: more than N.V by what hides some.
+    for (m, view) in [(0.2_f64, 20.0_f64), (0.3, 60.0), (0.5, 75.0), (0.3, 85.0)] {
+        let (tilts, turns) = (1200, 1200);
+        let step = (6.0 * m).atan() / f64::from(tilts);
+        let turn = PI / f64::from(turns);
+        let (sine, cosine) = view.to_radians().sin_cos();
+        let mut sum = 0.0;
+        for tilt in (0..tilts).map(|i| (f64::from(i) + 0.5) * step) {
+            let density = value(Format::F64, &format!("d_beckmann({m},{:.15})", tilt.to_degrees()));
+            let facing = |j: i32| {
+                let around = (f64::from(j) + 0.5) * turn;
+                (tilt.sin() * around.cos() * sine + tilt.cos() * cosine).max(0.0)
+            };
+            sum += density * tilt.sin() * (0..turns).map(facing).sum::<f64>();
+        }
+        // G with a lamp over the surface is 1 / (1 + U(N.V)).
+        let seen = value(Format::F64, &format!("g_sancer(0,{view},{m})"));
+        let area = 2.0 / PI * sum * step * turn;
+        assert_close!(area * seen, cosine, 2e-6, "of the area", "m {m}, {view} degrees");
     }
 }

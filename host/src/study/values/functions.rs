@@ -1,6 +1,6 @@
 //! The functions that values can be stated of, by their names: the functions of the core that pictures are made with.
 
-use rta_core::illumination::fade::{Phase, edge, fade, haze, transmittance};
+use rta_core::illumination::fade::{Phase, airlight, edge, fade, haze, transmittance};
 use rta_core::illumination::fresnel::{Conductor, Shift, dielectric, f0, index, inverse_index};
 use rta_core::illumination::microfacet::{
     Attenuation, Beckmann, Distribution, Gauss, Power, Sancer, Slope, TorranceSparrow, Trowbridge, highlight,
@@ -32,6 +32,9 @@ pub struct Function {
 
 /// The relative error of what is computed in a few operations in fixed point.
 const NEAR: f64 = 1e-6;
+
+/// Halvings of the angle of a ray through air, so that what is left of the error of the sum is below a millionth.
+const HALVINGS: u8 = 12;
 
 macro_rules! functions {
     ($($name:ident($($argument:ident),*) within $fixed:expr $(, always $always:expr)? => $value:expr;)*) => {
@@ -125,6 +128,10 @@ pub(super) fn all<S: Narrow>() -> Vec<Function> {
         sunbeam(w, s, d, g, t) within NEAR => {
             let phase = Phase { forward: S::unit(g) };
             S::power_to_f64(phase.sunbeam(S::unit(w), cosine::<S>(t), left::<S>(s, d)))
+        };
+        airlight(s, h, t0, t1) within NEAR => {
+            let [height, from, to] = [h, t0, t1].map(S::length);
+            S::power_to_f64(airlight(positive::<S>(s), height, from, to, HALVINGS))
         };
     }
 }
