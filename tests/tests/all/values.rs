@@ -1,6 +1,6 @@
 //! The functions of the illumination models against the values of their specification, in every format.
 
-use std::f64::consts::PI;
+use core::f64::consts::PI;
 
 use rta::engine::Format;
 use rta::values::{Comparison, compare, names, statements};
