@@ -1,7 +1,7 @@
 //! J. F. Blinn, "Models of Light Reflection for Computer Synthesized Pictures", SIGGRAPH 1977, in its simple form: the highlight of
 //! Phong's model by the vector halfway between lamp and eye, with the secondary rays of Whitted.
 
-use super::{Illumination, Secondary, rowless, Whitted};
+use super::{Illumination, Secondary, Whitted, rowless};
 use crate::color::Rgb;
 use crate::light::Incident;
 use crate::needs::Needs;

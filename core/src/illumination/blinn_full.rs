@@ -96,7 +96,7 @@ impl<S: Scalar> BlinnFullRow<S> {
     /// Half of the facets at 10 degrees, and the index 1.5.
     fn plain() -> Self {
         Self {
-            exponent: Exponent::new(46_364, 10), // 45.278
+            exponent: Exponent::new(46_364, 10),            // 45.278
             narrowness: PositiveOf::<S>::new(312_619, -16), // 4.7702
             roundness: S::Unit::ratio(260_495, 1_000_000),
             q: S::Unit::ratio(2, 3),

@@ -114,7 +114,10 @@ impl<S: Scalar, G: Hidden<S::Unit>> Tabled<S> for CookTorrance<'_, S, G> {
             Kind::Opaque | Kind::Mirror => zero,
             Kind::Shiny | Kind::Glass => S::Unit::ratio(1, 5),
         };
-        let default = Roughness { share: one, inverse: <S::Unit as Unit>::Positive::new(10, 0).over(Positive::new(3, 0)) };
+        let default = Roughness {
+            share: one,
+            inverse: <S::Unit as Unit>::Positive::new(10, 0).over(Positive::new(3, 0)),
+        };
         let first = material.slope(0).unwrap_or(default);
         let none = Roughness { share: zero, inverse: first.inverse };
         let rest = |index| material.slope(index).unwrap_or(none);
@@ -169,9 +172,9 @@ impl<S: Scalar, G: Hidden<S::Unit>> Illumination<S> for CookTorrance<'_, S, G> {
             (mirrored, row.reflection.at(surface, facet.incidence))
         });
         let cosine = if is_diffuse { incident.cosine } else { zero };
-        let reflectance = surface.color.zip(part, |color, part| {
-            mixed(share, mirrored.times(part.positive()), color, cosine)
-        });
+        let reflectance = surface
+            .color
+            .zip(part, |color, part| mixed(share, mirrored.times(part.positive()), color, cosine));
         reflectance.zip(incident.lamp.tint, |reflectance, tint| {
             incident.reflected::<N>(reflectance.times(tint.positive()), true)
         })

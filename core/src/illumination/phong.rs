@@ -1,7 +1,7 @@
 //! B. T. Phong, "Illumination for Computer Generated Pictures", Communications of the ACM 18 (1975), with the secondary
 //! rays of Whitted: the model that the scene format NFF assumes.
 
-use super::{Illumination, Secondary, rowless, Whitted};
+use super::{Illumination, Secondary, Whitted, rowless};
 use crate::color::Rgb;
 use crate::light::Incident;
 use crate::material::Finish;

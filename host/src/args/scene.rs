@@ -21,10 +21,11 @@ pub struct ReadingArgs {
     /// See polygons of a .nff only from where their corners run counterclockwise, not from both sides
     #[arg(long)]
     pub one_sided: bool,
-    /// Air between the things of the scene: none, warnock[:D0], romney[:P[:D0]], haze:NEAR:FAR, fog:S or fog:R:G:B [default: the scene's]
+    /// Air between the things of the scene: none, warnock, romney, haze:NEAR:FAR or fog:S [default: the scene's]
     ///
-    /// warnock and romney darken with the distance d from the eye, by (D0/d)^P, P being 1 and 4; haze has the colour of the horizon;
-    /// fog leaves exp(-S d). Lengths are in units of the scene.
+    /// warnock, warnock:D0, romney, romney:P and romney:P:D0 darken with the distance d from the eye, by (D0/d)^P, P being 1 and 4, D0 the
+    /// length of the ray in the middle of the picture; haze has the colour of the horizon;
+    /// fog:S and fog:R:G:B leave exp(-S d). Lengths are in units of the scene.
     #[arg(long, value_name = "AIR")]
     pub air: Option<Air>,
 }

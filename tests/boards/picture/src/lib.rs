@@ -112,7 +112,8 @@ fn draw_sized<D: Display, T: ColorTable>(
 ) -> Result<D, DrawError<D::Error>> {
     let raster = Raster::new(width, height).map_err(DrawError::Tracer)?;
     let scene = if BAKED { &scene::SCENE } else { core::hint::black_box(&scene::SCENE) };
-    let tracer: Traced<'_, _, _> = Tracer::new(scene, scene::model(), DEPTH.into()).map_err(DrawError::Tracer)?;
+    let tracer: Traced<'_, _, _> =
+        Tracer::new(scene, scene::model(), DEPTH.into()).map_err(DrawError::Tracer)?;
     if COLORS == Colors::Standard {
         return paint(
             &tracer,
