@@ -152,7 +152,7 @@ impl<S: Scalar> Illumination<S> for HallGreenberg<'_, S> {
         let shine = self.row_of(surface).map_or(Rgb::new(zero, zero, zero), |row| {
             if !is_outside {
                 Self::reflected(row, surface, incident)
-            } else if row.transmit > zero {
+            } else if N::GLASS && row.transmit > zero {
                 Self::refracted(row, surface, incident)
             } else {
                 Rgb::new(zero, zero, zero)
@@ -183,7 +183,7 @@ impl<S: Scalar> Illumination<S> for HallGreenberg<'_, S> {
         way: &Way<S>,
         _lit: impl FnMut(Vec3<S>, usize) -> S::Unit,
     ) -> Option<Passage<S, Self::Weight>> {
-        let number = way.inside()?;
+        let number = way.inside().filter(|_| N::GLASS)?;
         way.absorbed(self.rows.get(usize::from(number))?.density)
     }
 }

@@ -81,7 +81,7 @@ impl<S: Scalar> Illumination<S> for KayGreenberg<'_, S> {
         way: &Way<S>,
         _lit: impl FnMut(Vec3<S>, usize) -> S::Unit,
     ) -> Option<Passage<S, Self::Weight>> {
-        let number = way.inside()?;
+        let number = way.inside().filter(|_| N::GLASS)?;
         way.absorbed(self.rows.get(usize::from(number))?.density)
     }
 }

@@ -142,10 +142,12 @@ impl Material {
     #[must_use]
     pub fn coefficients(&self) -> Option<Coefficients> {
         let stated = [self.ambient, self.diffuse, self.specular, self.transmit, self.exponent, self.gloss];
+        // What comes through to a lamp is what comes through where a wall is seen perpendicularly.
+        let transmit = self.transmit.or(self.edge.map(|edge| edge.most));
         let [kd, ks, kt] = match self.kind {
             Kind::Glass => [0.0, 0.1, 0.9],
             Kind::Metal => [0.4, 0.6, 0.0],
-            _ if stated.iter().all(Option::is_none) => return None,
+            _ if stated.iter().all(Option::is_none) && self.edge.is_none() => return None,
             Kind::Opaque => [1.0, 0.0, 0.0],
             Kind::Shiny => [0.8, 0.2, 0.0],
             Kind::Mirror => [0.0, 1.0, 0.0],
@@ -159,10 +161,11 @@ impl Material {
             ka: self.ambient.unwrap_or(kd),
             kd,
             ks: self.specular.unwrap_or(ks),
-            kt: self.transmit.unwrap_or(kt),
+            kt: transmit.unwrap_or(kt),
             exponent: by_gloss(gloss::blinn),
             reflected: by_gloss(gloss::phong),
-            index: self.index.unwrap_or(1.0),
+            // Through a thin wall light goes straight on.
+            index: self.index.filter(|_| !self.thin).unwrap_or(1.0),
         })
     }
 }
