@@ -2,7 +2,7 @@
 
 use super::microfacet::{Attenuation, Beckmann, Facet, Roughness, Sancer, TorranceSparrow, mixed};
 use super::table::{Kind, MOST_SLOPES, Properties, Reflection, Row, Tabled, Value};
-use super::{Bend, Illumination, Secondary};
+use super::{Illumination, Secondary};
 use crate::color::Rgb;
 use crate::light::Incident;
 use crate::needs::Needs;
@@ -186,7 +186,7 @@ impl<S: Scalar, G: Hidden<S::Unit>> Illumination<S> for CookTorrance<'_, S, G> {
         };
         let cosine = -surface.normal.dot(surface.incoming);
         let weight = row.reflection.at(surface, cosine).map(|part| part.times(row.mirror));
-        Secondary { reflected: Some(weight), transmitted: None, bend: Bend::Refracted }
+        Secondary { reflected: Some(weight), ..Secondary::NONE }
     }
 }
 

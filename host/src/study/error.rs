@@ -35,6 +35,9 @@ pub enum StudyError {
     /// The combinations of tables and ditherings cannot be counted or drawn side by side.
     #[error("the palette: {0}")]
     Palette(Box<dyn core::error::Error + Send + Sync>),
+    /// Pictures cannot be put on one sheet.
+    #[error("the contact sheet: {0}")]
+    Sheet(Box<dyn core::error::Error + Send + Sync>),
     /// A colour table or a dithering was asked for where all are shown.
     #[error(
         "rta palette shows every colour table with every dithering: --table and --dither choose for rta show and rta render"

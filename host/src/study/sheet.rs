@@ -20,10 +20,11 @@ const LETTERS: usize = 28;
 /// Returns a frame as a picture.
 ///
 /// # Errors
-/// [`StudyError::Palette`] if it is too large for a picture file.
+/// [`StudyError::Sheet`] if it is too large for a picture file.
 pub(super) fn displayed(sheet: &Frame) -> Result<Displayed, StudyError> {
     let side = |pixels: usize| u32::try_from(pixels).unwrap_or(u32::MAX);
-    let size = Size::new(side(sheet.width), side(sheet.height)).map_err(StudyError::palette)?;
+    let size = Size::new(side(sheet.width), side(sheet.height))
+        .map_err(|source| StudyError::Sheet(Box::new(source)))?;
     let pixels = sheet.pixels.iter().map(|pixel| unpacked(*pixel)).collect();
     Ok(Displayed { size, aspect: size.ratio(), pixels: Pixels::Direct(pixels) })
 }

@@ -8,7 +8,7 @@ use crate::illumination::{Passage, Way};
 use crate::needs::Needs;
 use crate::ray::RayKind;
 use crate::scalar::vector::Vec3;
-use crate::scalar::{Exponent, Light, Scalar};
+use crate::scalar::{Exponent, Scalar};
 
 /// Light fades with the distance from the eye, `min(1, (d0 / d)^p)`; it acts on the rays from the eye alone.
 #[derive(Clone, Copy, Debug)]
@@ -28,7 +28,6 @@ impl<S: Scalar> Air<S> for Distance<S> {
     ) -> Option<Passage<S, Rgb<S::Unit>>> {
         let is_seen = way.kind == RayKind::Primary && length > self.reference;
         let part = is_seen.then(|| fade(length, self.reference, self.exponent))?;
-        let dark = S::Light::ZERO;
-        Some(Passage { weight: Rgb::new(part, part, part), veil: Rgb::new(dark, dark, dark) })
+        Some(Passage { weight: Rgb::new(part, part, part), veil: Rgb::BLACK })
     }
 }

@@ -14,7 +14,7 @@ use clap::ValueEnum;
 /// begins with the picture without a device.
 ///
 /// # Errors
-/// [`StudyError::Palette`] if it is too large for a picture file.
+/// [`StudyError::Sheet`] if it is too large for a picture file.
 pub fn sheet(shown: &[Shown]) -> Result<Displayed, StudyError> {
     let blocks: Vec<_> = shown.iter().map(block).collect();
     displayed(&stacked(&blocks))
