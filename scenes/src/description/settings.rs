@@ -13,8 +13,6 @@ pub struct Settings {
     pub cutoff: Option<f64>,
     /// Number of wavelengths, odd, 1 to 31; without it, red, green and blue.
     pub wavelengths: Option<u32>,
-    /// Name of the illumination model, where it is one that this program does not have.
-    pub other_model: Option<String>,
     /// Options of the illumination model.
     pub model_options: Vec<ModelOption>,
 }

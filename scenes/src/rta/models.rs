@@ -9,28 +9,20 @@ use crate::numbers::Range;
 /// An option: its name, and the range of each number that may follow it.
 type Choice = (&'static str, &'static [Range]);
 
-const PHONG: &[Choice] = &[];
 const FACETS: Range = Range::Between(1.0, 1000.0);
 const POSITIVE: &[Range] = &[Range::Positive];
 const EDGE: &[Range] = &[Range::Between(1.0, 3.0), Range::Share, Range::Share];
 const GLOSS: &[Range] = &[Range::Gloss];
 
-/// All models of the language with their options, those that this program does not have yet too.
-const MODELS: &[(&str, &[Choice])] = &[
-    ("flat", &[]),
-    ("rta", &[]),
-    ("lambert", &[]),
+/// The options of the models that have some.
+const OPTIONS: &[(&str, &[Choice])] = &[
     ("bouknight", &[("mach", &[Range::Between(1.0, 3.0)]), ("p", &[Range::Between(1.0, 2.0)])]),
     ("romney", &[("p", &[Range::Between(1.0, 100.0)])]),
     ("newell", &[("edge", EDGE)]),
-    ("phong", PHONG),
-    ("blinn", PHONG),
     (
         "blinn-full",
         &[("power", &[FACETS]), ("gauss", POSITIVE), ("trowbridge", &[Range::Part]), ("gloss", GLOSS)],
     ),
-    ("kay-greenberg", &[]),
-    ("whitted", PHONG),
     (
         "cook-torrance",
         &[("sancer", &[]), ("exact", &[]), ("published", &[]), ("mirror", &[Range::Share]), ("gloss", GLOSS)],
@@ -38,35 +30,19 @@ const MODELS: &[(&str, &[Choice])] = &[
     ("hall-greenberg", &[("cutoff", &[Range::Share])]),
 ];
 
-/// Returns the names of all models, those that can be drawn first.
-fn names() -> impl Iterator<Item = &'static str> {
-    let drawn = Model::ALL.iter().map(|model| model.name());
-    drawn.chain(MODELS.iter().map(|(name, _)| *name).filter(|name| by_name(name).is_none()))
-}
-
-/// Returns the model of this name, if the program has it.
-pub(super) fn by_name(name: &str) -> Option<Model> {
-    Model::ALL.iter().copied().find(|model| model.name() == name)
-}
-
-/// Returns the model that stands for one which the program does not have: one whose lamps are like its own.
-pub(super) fn stand_in(name: &str) -> Model {
-    if name == "cook-torrance" { Model::Rta } else { Model::Whitted }
-}
-
 /// Reads the name of a model.
-pub(super) fn name<'a>(said: &Said<'a>) -> Result<&'a str, SceneError> {
+pub(super) fn model(said: &Said<'_>) -> Result<Model, SceneError> {
     let (name, place) = said.part("").map_or(("", said.place), |part| part.word(0));
-    if names().any(|known| known == name) {
-        return Ok(name);
-    }
-    let all: Vec<_> = names().collect();
-    Err(said.error(place, format!("a model (one of {})", all.join(", ")), found(name, all)))
+    let model = Model::ALL.iter().copied().find(|model| model.name() == name);
+    model.ok_or_else(|| {
+        let all: Vec<_> = Model::ALL.iter().map(|model| model.name()).collect();
+        said.error(place, format!("a model (one of {})", all.join(", ")), found(name, all))
+    })
 }
 
 /// Reads the options of a model.
 pub(super) fn options(said: &Said<'_>, model: &str) -> Result<Vec<ModelOption>, SceneError> {
-    let own = MODELS.iter().find(|(name, _)| *name == model).map_or(&[] as &[Choice], |(_, own)| own);
+    let own = OPTIONS.iter().find(|(name, _)| *name == model).map_or(&[] as &[Choice], |(_, own)| own);
     let mut data: &[Datum<'_>] = said.part("").map_or(&[], |part| part.data.get(1..).unwrap_or_default());
     let mut options: Vec<ModelOption> = Vec::new();
     while let Some((first, rest)) = data.split_first() {

@@ -4,11 +4,11 @@ use std::collections::{HashMap, HashSet};
 
 use rta_core::scene::Object;
 
+use super::builtin;
 use super::lamp::{place_distant, sphere_of};
 use super::line::is_name;
 use super::material::MOST_EXPONENT;
 use super::view::{SCREEN, SIZE, is_square};
-use super::{builtin, models};
 use crate::description::{Description, FallOff, Kind, LampShape, Material, Settings, Surface};
 
 /// What tells surfaces apart that become materials: a kind, and the bits of its numbers.
@@ -136,11 +136,6 @@ impl Description {
             && is_square(size, screen)
         {
             self.settings.screen = None;
-        }
-        if let Some(other) = &self.settings.other_model {
-            let known = models::by_name(other);
-            self.model = known.unwrap_or_else(|| models::stand_in(other));
-            self.settings.other_model = self.settings.other_model.take().filter(|_| known.is_none());
         }
     }
 }

@@ -3,7 +3,7 @@
 use super::Reader;
 use super::models;
 use super::said::Said;
-use crate::description::{Attenuation, Camera, Fading, Floor, Medium, Optics, Settings, Side, Sky, Surface};
+use crate::description::{Attenuation, Camera, Fading, Floor, Medium, Optics, Side, Sky, Surface};
 use crate::error::{Found, SceneError};
 use crate::numbers::{Numbers, Range};
 use crate::space::{Triple, cross, difference, length, unit};
@@ -98,21 +98,13 @@ impl<'a> Reader<'a> {
     }
 
     pub(super) fn model(&mut self, said: &Said<'a>) -> Result<(), SceneError> {
-        let name = models::name(said)?;
-        let options = models::options(said, name)?;
+        let model = models::model(said)?;
+        let options = models::options(said, model.name())?;
         if !options.is_empty() {
             self.undrawn("options of the illumination model", said.place.0);
         }
-        let model = models::by_name(name);
-        self.scene.model = model.unwrap_or_else(|| models::stand_in(name));
-        if model.is_none() {
-            let stand_in = self.scene.model;
-            let text = || format!("rta has no model {name} yet: {stand_in} is drawn");
-            self.warn("model", said.place.0, text);
-        }
-        let other_model = model.is_none().then(|| name.to_owned());
-        let settings = core::mem::take(&mut self.scene.settings);
-        self.scene.settings = Settings { other_model, model_options: options, ..settings };
+        self.scene.model = model;
+        self.scene.settings.model_options = options;
         Ok(())
     }
 

@@ -59,7 +59,7 @@ impl Description {
             words.end(text);
         }
         let mut words = Words::new("model");
-        words.name("", settings.other_model.as_deref().unwrap_or(self.model.name()));
+        words.name("", self.model.name());
         for ModelOption { name, numbers } in &settings.model_options {
             words.name("", name).numbers("", numbers);
         }

@@ -176,17 +176,17 @@ fn camera() -> impl Strategy<Value = Camera> {
 
 fn settings() -> impl Strategy<Value = (Settings, Model)> {
     let model = prop_oneof![
-        Just((Model::Rta, None, Vec::new())),
-        Just((Model::Phong, None, Vec::new())),
-        Just((Model::Bouknight, None, vec![ModelOption { name: "mach".into(), numbers: vec![2.0] }])),
-        Just((Model::Flat, None, Vec::new())),
-        Just((Model::Phong, Some("hall-greenberg".to_owned()), Vec::new())),
+        Just((Model::Rta, Vec::new())),
+        Just((Model::Phong, Vec::new())),
+        Just((Model::Bouknight, vec![ModelOption { name: "mach".into(), numbers: vec![2.0] }])),
+        Just((Model::Flat, Vec::new())),
+        Just((Model::HallGreenberg, Vec::new())),
     ];
     let screen = maybe([1.0..=4.0, 1.0..=4.0_f64]);
     (model, screen, maybe(0..=32_u32), maybe(1..=9_u32), maybe(0.0..=1.0), maybe(0..=15_u32)).prop_map(
-        |((model, other_model, model_options), screen, depth, side, cutoff, half)| {
+        |((model, model_options), screen, depth, side, cutoff, half)| {
             let (samples, wavelengths) = (side.map(|side| side * side), half.map(|half| 2 * half + 1));
-            (Settings { screen, depth, samples, cutoff, wavelengths, other_model, model_options }, model)
+            (Settings { screen, depth, samples, cutoff, wavelengths, model_options }, model)
         },
     )
 }
