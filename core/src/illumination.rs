@@ -18,8 +18,8 @@ pub use weight::Weight;
 use crate::color::Rgb;
 use crate::light::Incident;
 use crate::needs::Needs;
-use crate::scalar::Scalar;
 use crate::scalar::vector::Vec3;
+use crate::scalar::{Scalar, Unit};
 use crate::surface::Surface;
 
 /// Declares the module of each model, and lets other crates repeat something for each of them.
@@ -148,6 +148,12 @@ pub trait Illumination<S: Scalar>: Send + Sync {
     /// Returns the radiance that the point sends back of one lamp, without shadows. Unless it is black, the tracer then traces a
     /// shadow ray.
     fn direct<N: Needs>(&self, surface: &Surface<S>, incident: &Incident<S>) -> Rgb<S::Light>;
+
+    /// Returns the weight below which a secondary ray is not traced, where a [`Tracer`](crate::trace::Tracer) is not told another: 0, the
+    /// default, traces all.
+    fn cutoff(&self) -> S::Unit {
+        S::Unit::ZERO
+    }
 
     /// Returns the weights of the secondary rays of the point.
     fn secondary<N: Needs>(&self, surface: &Surface<S>) -> Secondary<Self::Weight>;

@@ -58,6 +58,11 @@ impl<S: Scalar> Lamp<S> {
         Self::new(position, radius, S::power(intensity, 0), Rgb::new(one, one, one))
     }
 
+    /// Returns whether a constant lamp counts as one of the intensity 1. `fades` is as in [`Incident::light`].
+    pub(crate) fn is_cut(&self, fades: bool) -> bool {
+        !fades && self.fall_off == FallOff::OfModel && S::intensity(self.power) > S::Light::WHITE
+    }
+
     /// Returns the radiance of the lamp as a ray sees it: intensity over radius squared (Graham 1987); saturates in fixed point.
     pub fn radiance(&self) -> Rgb<S::Light> {
         let light = S::fall_off(self.power, self.inverse_radius);
@@ -103,9 +108,7 @@ impl<'a, S: Scalar> Incident<'a, S> {
         if N::ATTENUATION && (!N::SEVERAL_FALL_OFFS || self.lamp.fall_off.fades(fades)) {
             return self.irradiance();
         }
-        let intensity = self.intensity();
-        let is_cut = !fades && self.lamp.fall_off == FallOff::OfModel && intensity > S::Light::WHITE;
-        if is_cut { S::Light::WHITE } else { intensity }
+        if self.lamp.is_cut(fades) { S::Light::WHITE } else { self.intensity() }
     }
 
     /// Returns the light that a surface with the reflectance `reflectance` sends back of the lamp, rounded once; saturates. A lamp
@@ -114,8 +117,8 @@ impl<'a, S: Scalar> Incident<'a, S> {
         if N::ATTENUATION && (!N::SEVERAL_FALL_OFFS || self.lamp.fall_off.fades(fades)) {
             return self.reflected_sphere(reflectance);
         }
-        let is_cut = !fades && self.lamp.fall_off == FallOff::OfModel && self.intensity() > S::Light::WHITE;
-        S::intensity(if is_cut { reflectance } else { self.lamp.power.times(reflectance) })
+        let power = self.lamp.power;
+        S::intensity(if self.lamp.is_cut(fades) { reflectance } else { power.times(reflectance) })
     }
 
     /// Returns the light that a surface with the reflectance `reflectance` sends back of a spherical lamp, rounded once; saturates.

@@ -77,12 +77,13 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Acceler
         if usize::from(depth) > capacity {
             return Err(error);
         }
-        Ok(Self { scene, model, depth, cutoff: S::Unit::ZERO, needs: PhantomData })
+        let cutoff = model.cutoff();
+        Ok(Self { scene, model, depth, cutoff, needs: PhantomData })
     }
 
     /// Returns the tracer with a contribution cut-off: a secondary ray whose weight is below `cutoff` is not traced. This is
     /// adaptive depth (R. Hall and D. Greenberg, "A Testbed for Realistic Image Synthesis", IEEE CG&A 3,
-    /// 1983). The default, 0, traces all.
+    /// 1983). The default is the model's, [`Illumination::cutoff`].
     pub fn with_cutoff(self, cutoff: S::Unit) -> Self {
         Self { cutoff, ..self }
     }
@@ -143,8 +144,8 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Acceler
         let (own, surface) = self.local(current, &mut length, memory, observer);
         let weight = current.branch.weight;
         if M::ALONG {
-            let way =
-                Way { kind: current.branch.kind, start: current.start, length, surface: surface.as_ref() };
+            let Pending { start, branch: Branch { kind, .. } } = *current;
+            let way = Way { kind, start, length, surface: surface.as_ref(), lamps: self.scene.scene.lamps };
             let lit = |place, lamp| self.reached(place, lamp, memory);
             if let Some(Passage { weight: part, veil }) = self.model.along::<N>(&way, lit) {
                 current.branch.weight = weight.compose(part);

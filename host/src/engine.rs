@@ -48,8 +48,8 @@ pub struct Settings {
     pub model: Model,
     /// Recursion depth, 0 to [`MAX_DEPTH`].
     pub depth: u32,
-    /// Rays that would bring a smaller part of their light into the pixel are not traced.
-    pub cutoff: Cutoff,
+    /// Rays that would bring a smaller part of their light into the pixel are not traced; without it, the model's cut-off counts.
+    pub cutoff: Option<Cutoff>,
     /// Samples of a pixel. The light of one in its middle is kept as it is; the mean of several is that of displayable
     /// light.
     pub sampling: Sampling,
@@ -65,7 +65,7 @@ impl Default for Settings {
             format: Format::F32,
             model: Model::Rta,
             depth: 5,
-            cutoff: Cutoff::OFF,
+            cutoff: None,
             sampling: Sampling::CENTER,
         }
     }
@@ -79,7 +79,8 @@ impl Settings {
     pub fn setup(&self) -> Result<Setup, EngineError> {
         let Self { aspect, depth, cutoff, sampling, .. } = *self;
         let raster = Raster::new(self.width, self.height)?;
-        Ok(Setup { raster, aspect, depth, cutoff: (cutoff.numerator(), cutoff.denominator()), sampling })
+        let cutoff = cutoff.map(|cutoff| (cutoff.numerator(), cutoff.denominator()));
+        Ok(Setup { raster, aspect, depth, cutoff, sampling })
     }
 }
 

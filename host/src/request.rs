@@ -37,8 +37,8 @@ pub struct Request {
     pub model: Model,
     /// Greatest depth of a ray.
     pub depth: u32,
-    /// Contribution cut-off: a ray that brings a smaller part of its light into the pixel is not traced.
-    pub cutoff: Cutoff,
+    /// Contribution cut-off: a ray that brings a smaller part of its light into the pixel is not traced; `None` for the model's.
+    pub cutoff: Option<Cutoff>,
     /// Samples of a pixel.
     pub sampling: Sampling,
     /// Pixels, or the display's own.
@@ -55,7 +55,7 @@ impl TracingArgs {
     #[must_use]
     pub fn request(&self, target: Target) -> Request {
         let Self { format, size, aspect, fit, .. } = *self;
-        let (depth, cutoff) = (self.depth.unwrap_or(DEPTH), self.cutoff.unwrap_or(Cutoff::OFF));
+        let (depth, cutoff) = (self.depth.unwrap_or(DEPTH), self.cutoff);
         let coloring = self.coloring(target);
         let model = self.model.unwrap_or(Model::Rta);
         let sampling = self.samples.unwrap_or(Samples::ONE).sampling(self.jitter);
@@ -83,7 +83,7 @@ impl TracingArgs {
         let request = self.request(target).for_scene(self.model, scene)?;
         let Settings { depth, cutoff, samples, .. } = scene.description.settings;
         let depth = self.depth.or(depth).map_or(request.depth, |depth| depth.min(MAX_DEPTH));
-        let cutoff = self.cutoff.or(cutoff.map(Cutoff::nearest)).unwrap_or(request.cutoff);
+        let cutoff = self.cutoff.or(cutoff.map(Cutoff::nearest));
         let samples = self.samples.or(samples.and_then(Samples::of));
         let sampling = samples.map_or(request.sampling, |samples| samples.sampling(self.jitter));
         Ok(Request { depth, cutoff, sampling, ..request })
@@ -176,7 +176,7 @@ impl Request {
             Target::None => String::new(),
         };
         let mut settings = format!("device {target}{table}, format {format}, model {model}, depth {depth}");
-        if *cutoff != Cutoff::OFF {
+        if let Some(cutoff) = cutoff.filter(|cutoff| *cutoff != Cutoff::OFF) {
             settings += &format!(", cut-off {cutoff}");
         }
         if *sampling != Sampling::CENTER {

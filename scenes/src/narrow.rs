@@ -3,13 +3,14 @@
 use rta_core::Scalar;
 use rta_core::camera::{Camera, Lens};
 use rta_core::color::Rgb;
+use rta_core::illumination::table::Tabled;
 use rta_core::light::Lamp;
 use rta_core::material::Material;
 use rta_core::scene::{Scene, Sky};
 use rta_core::shape::{Cone, Cylinder, Ellipsoid, Floor, Plane, Sphere, Triangle};
 use rta_core::vector::Vector;
 
-use crate::description::{self, Description, Side};
+use crate::description::{self, Description, Model, Side};
 use crate::space::{cross, unit};
 
 pub mod air;
@@ -20,12 +21,15 @@ mod formats;
 mod materials;
 mod plane;
 mod properties;
+pub use properties::conductor;
 pub mod triangle;
+pub mod variant;
 
 use check::Checker;
 pub use check::exponent;
 pub use error::NarrowError;
 use materials::Materials;
+use variant::Options;
 
 /// A number format that descriptions can be narrowed to.
 pub trait Narrow: Scalar {
@@ -82,6 +86,8 @@ pub struct Narrowed<S: Scalar> {
     pub materials: Vec<Material<S>>,
     /// What the scene says of each of the materials, for models that have parameters of their own.
     pub said: Vec<description::Material>,
+    /// The options of the illumination model that the scene is made for.
+    pub options: Options,
     /// The floor.
     pub floor: Option<Floor<S>>,
     /// The sky.
@@ -106,6 +112,13 @@ impl<S: Scalar> Narrowed<S> {
             sky: self.sky,
             ambient: self.ambient,
         }
+    }
+}
+
+impl<S: Narrow> Narrowed<S> {
+    /// Returns the rows that a model needs of the materials, in their order. `core` is the core's model of `model`.
+    pub fn rows<M: Tabled<S>>(&self, model: Model, core: &M) -> Vec<M::Row> {
+        self.said.iter().map(|material| core.row(&*self.options.said(model, material))).collect()
     }
 }
 
@@ -231,6 +244,7 @@ pub fn narrow<S: Narrow>(description: &Description, aspect: f64) -> Result<Narro
         lamps,
         materials: materials.narrowed,
         said: materials.said,
+        options: Options::of(description),
         floor,
         sky: Sky {
             horizon: Checker::<S>::named("the horizon").light(description.sky.horizon)?,

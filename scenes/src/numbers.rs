@@ -26,6 +26,8 @@ pub(crate) enum Range {
     Gloss,
     /// From one number to another.
     Between(f64, f64),
+    /// A whole number from one to another.
+    Whole(u8, u8),
 }
 
 impl Range {
@@ -41,6 +43,9 @@ impl Range {
             Self::Angle => number > 0.0 && number < 180.0,
             Self::Gloss => number > 0.0 && number < 45.0,
             Self::Between(least, most) => (least..=most).contains(&number),
+            Self::Whole(least, most) => {
+                number.fract() == 0.0 && (f64::from(least)..=f64::from(most)).contains(&number)
+            }
         }
     }
 }
@@ -58,6 +63,7 @@ impl Display for Range {
             Self::Angle => "degrees > 0 and < 180",
             Self::Gloss => "degrees > 0 and < 45",
             Self::Between(least, most) => return write!(f, "a number from {least} to {most}"),
+            Self::Whole(least, most) => return write!(f, "a whole number from {least} to {most}"),
         })
     }
 }

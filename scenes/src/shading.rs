@@ -22,6 +22,7 @@ use rta_core::vector::Vec3;
 use crate::description::Air;
 use crate::model::Model;
 use crate::narrow::air::{Layers, layers};
+use crate::narrow::variant::{Source, Visitor};
 use crate::narrow::{Narrow, Narrowed};
 
 /// Returns the part of the light of a lamp that reaches a place: see [`Illumination::along`].
@@ -32,6 +33,7 @@ trait Shading<S: Scalar>: Send + Sync {
     fn ambient(&self, surface: &Surface<S>, ambient: Rgb<S::Light>) -> Rgb<S::Light>;
     fn is_lit(&self, surface: &Surface<S>) -> bool;
     fn direct(&self, surface: &Surface<S>, incident: &Incident<S>) -> Rgb<S::Light>;
+    fn cutoff(&self) -> S::Unit;
     fn secondary(&self, surface: &Surface<S>) -> Secondary<Rgb<S::Unit>>;
     fn along(&self, way: &Way<S>, lit: Lit<S>) -> Option<Passage<S, Rgb<S::Unit>>>;
 }
@@ -53,6 +55,10 @@ impl<S: Scalar, M: Tabled<S>> Shading<S> for Owned<S, M> {
 
     fn direct(&self, surface: &Surface<S>, incident: &Incident<S>) -> Rgb<S::Light> {
         direct::<S, _, Everything>(&self.model.over(&self.rows), surface, incident)
+    }
+
+    fn cutoff(&self) -> S::Unit {
+        self.model.cutoff()
     }
 
     fn secondary(&self, surface: &Surface<S>) -> Secondary<Rgb<S::Unit>> {
@@ -79,8 +85,9 @@ pub fn any_model<S: Narrow, A: Accelerator<S>>(
     admitted: &Admitted<'_, S, A>,
 ) -> AnyModel<S> {
     let middle = middle(scene, admitted);
-    let air = layers(air, middle, &scene.sky, scene.ambient);
-    Through { model: in_model!(model, model => owned(model.focused(middle), scene)), air }
+    let air = layers(air, (middle, model.is_attenuated()), &scene.sky, scene.ambient);
+    let chosen = Chosen { model, middle, scene };
+    Through { model: scene.options.with_model(model, chosen), air }
 }
 
 /// Returns the length of the ray in the middle of the picture, 1 if it meets nothing.
@@ -90,9 +97,21 @@ pub fn middle<S: Narrow, A: Accelerator<S>>(scene: &Narrowed<S>, admitted: &Admi
     admitted.closest::<Everything>(&ray).map_or_else(|| S::length(1.0), |hit| hit.distance)
 }
 
-fn owned<S: Narrow, M: Tabled<S> + 'static>(model: M, scene: &Narrowed<S>) -> Shaded<S> {
-    let rows = scene.said.iter().map(|material| model.row(material)).collect();
-    Shaded(Arc::new(Owned { model, rows }))
+/// A model that is to be made ready for a scene, with the length of the ray in the middle of the picture.
+struct Chosen<'a, S: Scalar> {
+    model: Model,
+    middle: S,
+    scene: &'a Narrowed<S>,
+}
+
+impl<S: Narrow> Visitor<S> for Chosen<'_, S> {
+    type Output = Shaded<S>;
+
+    fn visit<M: Tabled<S> + 'static>(self, model: M, _source: Source<S>) -> Shaded<S> {
+        let model = model.focused(self.middle);
+        let rows = self.scene.rows(self.model, &model);
+        Shaded(Arc::new(Owned { model, rows }))
+    }
 }
 
 impl<S: Scalar> Illumination<S> for Shaded<S> {
@@ -111,6 +130,10 @@ impl<S: Scalar> Illumination<S> for Shaded<S> {
 
     fn direct<N: Needs>(&self, surface: &Surface<S>, incident: &Incident<S>) -> Rgb<S::Light> {
         self.0.direct(surface, incident)
+    }
+
+    fn cutoff(&self) -> S::Unit {
+        self.0.cutoff()
     }
 
     fn secondary<N: Needs>(&self, surface: &Surface<S>) -> Secondary<Rgb<S::Unit>> {

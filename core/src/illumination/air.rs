@@ -6,10 +6,12 @@
 mod distance;
 mod fog;
 mod haze;
+mod medium;
 
 pub use distance::Distance;
 pub use fog::Fog;
 pub use haze::Haze;
+pub use medium::Medium;
 
 use super::{Illumination, Passage, Secondary, Way, Weight};
 use crate::color::Rgb;
@@ -88,6 +90,10 @@ impl<S: Scalar, M: Illumination<S>, A: Air<S>> Illumination<S> for Through<M, A>
 
     fn direct<N: Needs>(&self, surface: &Surface<S>, incident: &Incident<S>) -> Rgb<S::Light> {
         self.model.direct::<N>(surface, incident)
+    }
+
+    fn cutoff(&self) -> S::Unit {
+        self.model.cutoff()
     }
 
     fn secondary<N: Needs>(&self, surface: &Surface<S>) -> Secondary<Self::Weight> {

@@ -24,11 +24,20 @@ pub struct BlinnFull<'a, S: Scalar, D = ByTrowbridge> {
     pub rows: &'a [BlinnFullRow<S>],
     /// How facets are distributed.
     pub distribution: D,
+    /// What materials are taken for that do not say it.
+    pub plain: BlinnFullRow<S>,
 }
 
 impl<S: Scalar> Default for BlinnFull<'static, S> {
     fn default() -> Self {
-        Self { surface: Whitted::default(), rows: &[], distribution: ByTrowbridge }
+        Self::with_facets(ByTrowbridge)
+    }
+}
+
+impl<S: Scalar, D> BlinnFull<'static, S, D> {
+    /// Returns the model with a distribution of facets.
+    pub fn with_facets(distribution: D) -> Self {
+        Self { surface: Whitted::default(), rows: &[], distribution, plain: BlinnFullRow::default() }
     }
 }
 
@@ -92,9 +101,9 @@ pub struct BlinnFullRow<S: Scalar> {
     pub denser: bool,
 }
 
-impl<S: Scalar> BlinnFullRow<S> {
+impl<S: Scalar> Default for BlinnFullRow<S> {
     /// Half of the facets at 10 degrees, and the index 1.5.
-    fn plain() -> Self {
+    fn default() -> Self {
         Self {
             exponent: Exponent::new(46_364, 10),            // 45.278
             narrowness: PositiveOf::<S>::new(312_619, -16), // 4.7702
@@ -121,7 +130,7 @@ impl<S: Scalar, D: Facets<S>> Tabled<S> for BlinnFull<'_, S, D> {
     type Over<'r> = BlinnFull<'r, S, D>;
 
     fn row(&self, material: &impl Properties<S>) -> BlinnFullRow<S> {
-        let plain = BlinnFullRow::<S>::plain();
+        let plain = &self.plain;
         let (q, denser) = material.index().unwrap_or((plain.q, plain.denser));
         BlinnFullRow {
             exponent: material.exponent().unwrap_or(plain.exponent),
@@ -133,7 +142,7 @@ impl<S: Scalar, D: Facets<S>> Tabled<S> for BlinnFull<'_, S, D> {
     }
 
     fn over<'r>(&self, rows: &'r [BlinnFullRow<S>]) -> BlinnFull<'r, S, D> {
-        BlinnFull { surface: self.surface, rows, distribution: self.distribution }
+        BlinnFull { surface: self.surface, rows, distribution: self.distribution, plain: self.plain }
     }
 }
 
@@ -151,8 +160,7 @@ impl<S: Scalar, D: Facets<S>> Illumination<S> for BlinnFull<'_, S, D> {
 
     fn direct<N: Needs>(&self, surface: &Surface<S>, incident: &Incident<S>) -> Rgb<S::Light> {
         let (kd, ks, _) = self.surface.coefficients::<N>(surface.material, |finish| finish.exponent);
-        let plain = BlinnFullRow::<S>::plain();
-        let row = self.rows.get(usize::from(surface.number)).unwrap_or(&plain);
+        let row = self.rows.get(usize::from(surface.number)).unwrap_or(&self.plain);
         let facet = Facet::between::<S>(surface.normal, incident.direction, -surface.incoming);
         let highlight = facet.filter(|_| ks > S::Unit::ZERO).map_or(S::Unit::ZERO.positive(), |facet| {
             let reflected = dielectric(row.q, row.denser != surface.inside, facet.incidence);

@@ -29,6 +29,13 @@ impl<S: Scalar> Default for Bouknight<S> {
     }
 }
 
+impl<S: Scalar> Bouknight<S> {
+    /// Returns the model with another exponent of the cosine, 1 to 2.
+    pub fn with_exponent(exponent: Exponent) -> Self {
+        Self { exponent, ..Self::default() }
+    }
+}
+
 impl<S: Scalar> Illumination<S> for Bouknight<S> {
     /// The model has no secondary rays, so any weight type would do.
     type Weight = S::Unit;

@@ -1,7 +1,7 @@
 //! R. L. Cook and K. E. Torrance, "A Reflectance Model for Computer Graphics", ACM Transactions on Graphics 1 (1982).
 
 use super::microfacet::{Attenuation, Beckmann, Facet, Roughness, Sancer, TorranceSparrow, mixed};
-use super::table::{Kind, MOST_SLOPES, Properties, Reflection, Row, Tabled, Value};
+use super::table::{Kind, MOST_SLOPES, Properties, Reflecting, Reflection, Row, Tabled, Value};
 use super::{Illumination, Secondary};
 use crate::color::Rgb;
 use crate::light::Incident;
@@ -24,23 +24,33 @@ use crate::surface::Surface;
 /// | 3, glass | .2 of its index | .8 C | none |
 ///
 /// Dielectrics have s .2, metals 1, unless they say otherwise; slopes are .3. `G` is how facets hide each other: [`Grooves`] or
-/// [`Slopes`].
+/// [`Slopes`], or one of them in [`Published`]. `F` is what they reflect: [`Reflection`], or for metals by their complex index of
+/// refraction [`Exact`](super::table::Exact).
 #[derive(Clone, Copy, Debug)]
-pub struct CookTorrance<'a, S: Scalar, G = Grooves> {
+pub struct CookTorrance<'a, S: Scalar, G = Grooves, F = Reflection<S>> {
     /// The materials.
-    pub rows: &'a [CookTorranceRow<S>],
+    pub rows: &'a [CookTorranceRow<S, F>],
     /// How facets hide each other.
     pub hidden: G,
 }
 
 impl<S: Scalar> Default for CookTorrance<'static, S> {
     fn default() -> Self {
-        Self { rows: &[], hidden: Grooves }
+        Self::with_hidden(Grooves)
+    }
+}
+
+impl<S: Scalar, G, F> CookTorrance<'static, S, G, F> {
+    /// Returns the model with facets that hide each other so.
+    pub fn with_hidden(hidden: G) -> Self {
+        Self { rows: &[], hidden }
     }
 }
 
 /// How facets hide each other.
 pub trait Hidden<U: Unit>: Copy + Send + Sync {
+    /// Whether the surface returns no more light than it gets.
+    const BALANCED: bool = true;
     /// Returns the part of the facets that are lit and seen, 0 to 1, of a surface with those slopes.
     fn passed(&self, facet: &Facet<U>, slopes: &[Roughness<U>]) -> U;
 }
@@ -52,6 +62,17 @@ pub struct Grooves;
 /// As the slopes of a rough surface: [`Sancer`].
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Slopes;
+
+/// Facets with the constant that the paper prints, which makes them four times as bright.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Published<G>(pub G);
+
+impl<U: Unit, G: Hidden<U>> Hidden<U> for Published<G> {
+    const BALANCED: bool = false;
+    fn passed(&self, facet: &Facet<U>, slopes: &[Roughness<U>]) -> U {
+        self.0.passed(facet, slopes)
+    }
+}
 
 impl<U: Unit> Hidden<U> for Grooves {
     fn passed(&self, facet: &Facet<U>, _slopes: &[Roughness<U>]) -> U {
@@ -67,7 +88,7 @@ impl<U: Unit> Hidden<U> for Slopes {
 
 /// What Cook's and Torrance's model must know of a material.
 #[derive(Clone, Copy, Debug)]
-pub struct CookTorranceRow<S: Scalar> {
+pub struct CookTorranceRow<S: Scalar, F = Reflection<S>> {
     /// ka, 0 or more.
     pub ambient: S::Unit,
     /// s, the share of the light that facets reflect, 0 to 1.
@@ -75,37 +96,37 @@ pub struct CookTorranceRow<S: Scalar> {
     /// Whether the rest of the light is reflected diffusely.
     pub is_diffuse: bool,
     /// What facets reflect.
-    pub reflection: Reflection<S>,
+    pub reflection: F,
     /// Their slopes; those of a share of 0 are left out.
     pub slopes: [Roughness<S::Unit>; MOST_SLOPES],
     /// The share of the light of the reflected ray, 0 to 1.
     pub mirror: S::Unit,
 }
 
-impl<S: Scalar> Row<S> for CookTorranceRow<S> {
+impl<S: Scalar, F: Reflecting<S>> Row<S> for CookTorranceRow<S, F> {
     const NAME: &'static str = "CookTorranceRow";
     fn fields(&self, mut see: impl FnMut(&'static str, Value<S>)) {
         see("ambient", Value::Unit(self.ambient));
         see("share", Value::Unit(self.share));
         see("is_diffuse", Value::Flag(self.is_diffuse));
-        see("reflection", Value::Reflection(self.reflection));
+        see("reflection", self.reflection.value());
         see("slopes", Value::Slopes(self.slopes));
         see("mirror", Value::Unit(self.mirror));
     }
 }
 
-impl<S: Scalar> CookTorranceRow<S> {
+impl<S: Scalar, F> CookTorranceRow<S, F> {
     fn slopes(&self) -> &[Roughness<S::Unit>] {
         let count = self.slopes.iter().take_while(|slope| slope.share > S::Unit::ZERO).count();
         self.slopes.get(..count).unwrap_or_default()
     }
 }
 
-impl<S: Scalar, G: Hidden<S::Unit>> Tabled<S> for CookTorrance<'_, S, G> {
-    type Row = CookTorranceRow<S>;
-    type Over<'r> = CookTorrance<'r, S, G>;
+impl<S: Scalar, G: Hidden<S::Unit>, F: Reflecting<S> + 'static> Tabled<S> for CookTorrance<'_, S, G, F> {
+    type Row = CookTorranceRow<S, F>;
+    type Over<'r> = CookTorrance<'r, S, G, F>;
 
-    fn row(&self, material: &impl Properties<S>) -> CookTorranceRow<S> {
+    fn row(&self, material: &impl Properties<S>) -> CookTorranceRow<S, F> {
         let (zero, one) = (S::Unit::ZERO, S::Unit::ONE);
         let kind = material.kind();
         let share = match kind {
@@ -125,24 +146,24 @@ impl<S: Scalar, G: Hidden<S::Unit>> Tabled<S> for CookTorrance<'_, S, G> {
             ambient: material.ambient().unwrap_or(if kind == Kind::Mirror { zero } else { one }),
             share: material.specular().filter(|_| kind != Kind::Mirror).unwrap_or(share),
             is_diffuse: kind != Kind::Mirror,
-            reflection: Reflection::of(material),
+            reflection: F::of(material),
             slopes: [first, rest(1), rest(2), rest(3)],
             mirror: material.mirror().unwrap_or(if kind == Kind::Mirror { one } else { zero }),
         }
     }
 
-    fn over<'r>(&self, rows: &'r [CookTorranceRow<S>]) -> CookTorrance<'r, S, G> {
+    fn over<'r>(&self, rows: &'r [CookTorranceRow<S, F>]) -> CookTorrance<'r, S, G, F> {
         CookTorrance { rows, hidden: self.hidden }
     }
 }
 
-impl<S: Scalar, G> CookTorrance<'_, S, G> {
-    fn row_of(&self, surface: &Surface<S>) -> Option<&CookTorranceRow<S>> {
+impl<S: Scalar, G, F> CookTorrance<'_, S, G, F> {
+    fn row_of(&self, surface: &Surface<S>) -> Option<&CookTorranceRow<S, F>> {
         self.rows.get(usize::from(surface.number))
     }
 }
 
-impl<S: Scalar, G: Hidden<S::Unit>> Illumination<S> for CookTorrance<'_, S, G> {
+impl<S: Scalar, G: Hidden<S::Unit>, F: Reflecting<S>> Illumination<S> for CookTorrance<'_, S, G, F> {
     type Weight = Rgb<S::Unit>;
 
     fn ambient<N: Needs>(&self, surface: &Surface<S>, ambient: Rgb<S::Light>) -> Rgb<S::Light> {
@@ -164,11 +185,15 @@ impl<S: Scalar, G: Hidden<S::Unit>> Illumination<S> for CookTorrance<'_, S, G> {
             incident.direction,
             -surface.incoming,
         ));
-        // D G / (4 N.V) for facets that reflect all, and what they reflect.
+        // D G / (4 N.V), or D G / (N.V), for facets that reflect all, and what they reflect.
         let (mirrored, part) = facet.map_or((none, Rgb::new(zero, zero, zero)), |(row, facet)| {
             let slopes = row.slopes();
             let passed = Passed(self.hidden.passed(&facet, slopes));
-            let mirrored = facet.balanced_reflectance(&Beckmann(slopes), &passed, one);
+            let mirrored = if G::BALANCED {
+                facet.balanced_reflectance(&Beckmann(slopes), &passed, one)
+            } else {
+                facet.reflectance(&Beckmann(slopes), &passed, one)
+            };
             (mirrored, row.reflection.at(surface, facet.incidence))
         });
         let cosine = if is_diffuse { incident.cosine } else { zero };

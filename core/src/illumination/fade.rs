@@ -2,7 +2,7 @@
 
 mod airlight;
 
-pub use airlight::airlight;
+pub use airlight::{Sight, airlight};
 
 use crate::scalar::{Exponent, Positive, Scalar, Unit};
 
@@ -49,6 +49,9 @@ impl<U: Unit> Phase<U> {
     /// Returns `(1 - g^2) / (1 + g^2 - 2 g cos t)^1.5`, from 0.05 to 190, whose mean over all directions is 1; t is the angle
     /// between a ray and the direction to the lamp, by its cosine.
     pub fn scattered(&self, cosine: U) -> U::Positive {
+        if self.forward == U::ZERO {
+            return U::ONE.positive();
+        }
         // Half the bracket, (1 - g)^2 / 2 + g (1 - cos t) for a g of 0 or more, in range.
         let g = self.forward;
         let (size, cosine) = if g < U::ZERO { (-g, -cosine) } else { (g, cosine) };

@@ -1,7 +1,7 @@
 //! R. A. Hall and D. P. Greenberg, "A Testbed for Realistic Image Synthesis", IEEE CG&A 3 (1983).
 
 use super::microfacet::{Facet, highlight, refracting};
-use super::table::{Kind, PositiveOf, Properties, Reflection, Row, Tabled, Value};
+use super::table::{Kind, PositiveOf, Properties, Reflecting, Reflection, Row, Tabled, Value};
 use super::{Bend, Illumination, Passage, Secondary, Way, Whitted};
 use crate::color::Rgb;
 use crate::light::Incident;
@@ -29,11 +29,21 @@ pub struct HallGreenberg<'a, S: Scalar> {
     pub surface: Whitted<S>,
     /// The materials.
     pub rows: &'a [HallGreenbergRow<S>],
+    /// The weight below which, in every register, no ray is traced: their adaptive depth.
+    pub cutoff: S::Unit,
 }
 
 impl<S: Scalar> Default for HallGreenberg<'static, S> {
+    /// With a cut-off of 1/512, half of a level of 8 bits.
     fn default() -> Self {
-        Self { surface: Whitted::default(), rows: &[] }
+        Self::with_cutoff(S::Unit::ratio(1, 512))
+    }
+}
+
+impl<S: Scalar> HallGreenberg<'static, S> {
+    /// Returns the model with another cut-off, 0 to 1.
+    pub fn with_cutoff(cutoff: S::Unit) -> Self {
+        Self { surface: Whitted::default(), rows: &[], cutoff }
     }
 }
 
@@ -90,7 +100,7 @@ impl<S: Scalar> Tabled<S> for HallGreenberg<'_, S> {
     }
 
     fn over<'r>(&self, rows: &'r [HallGreenbergRow<S>]) -> HallGreenberg<'r, S> {
-        HallGreenberg { surface: self.surface, rows }
+        HallGreenberg { surface: self.surface, rows, cutoff: self.cutoff }
     }
 }
 
@@ -162,6 +172,10 @@ impl<S: Scalar> Illumination<S> for HallGreenberg<'_, S> {
         let light = incident.lamp.tint.map(|tint| light.times(tint));
         let diffuse = light.zip(surface.color, |light, color| light.times(color.times(diffuse)));
         diffuse.zip(light.zip(shine, Light::times), Light::plus)
+    }
+
+    fn cutoff(&self) -> S::Unit {
+        self.cutoff
     }
 
     fn secondary<N: Needs>(&self, surface: &Surface<S>) -> Secondary<Self::Weight> {

@@ -4,6 +4,7 @@ use super::Weight;
 use super::fade::transmittance;
 use super::table::PositiveOf;
 use crate::color::Rgb;
+use crate::light::Lamp;
 use crate::ray::{RayKind, Start};
 use crate::scalar::{Scalar, Unit};
 use crate::surface::Surface;
@@ -19,6 +20,8 @@ pub struct Way<'a, S: Scalar> {
     pub length: Option<S>,
     /// The surface that it meets; if it is met from the [inside](Surface::inside), the ray ran inside of its material.
     pub surface: Option<&'a Surface<'a, S>>,
+    /// The scene's lamps.
+    pub lamps: &'a [Lamp<S>],
 }
 
 impl<S: Scalar> Way<'_, S> {

@@ -28,6 +28,13 @@ impl<S: Scalar> Default for Romney<S> {
     }
 }
 
+impl<S: Scalar> Romney<S> {
+    /// Returns the model with another exponent of the cosine, 1 to 100.
+    pub fn with_exponent(exponent: Exponent) -> Self {
+        Self { exponent, ..Self::default() }
+    }
+}
+
 impl<S: Scalar> Illumination<S> for Romney<S> {
     /// The model has no secondary rays, so any weight type would do.
     type Weight = S::Unit;

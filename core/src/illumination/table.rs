@@ -3,11 +3,14 @@
 //! Rows are made where a scene becomes one of a number format, on a machine that reads scenes, and are borrowed by the model, as the
 //! scene borrows its lists: in RAM or in flash. A program that draws with one model holds the rows of that model and no others.
 
+mod exact;
 mod reflection;
 
-pub use reflection::Reflection;
+pub use exact::Exact;
+pub use reflection::{Reflecting, Reflection};
 
 use super::Illumination;
+use super::fresnel::Conductor;
 use super::microfacet::Roughness;
 use crate::color::Rgb;
 use crate::scalar::{Exponent, Scalar, Unit};
@@ -61,6 +64,8 @@ pub trait Properties<S: Scalar> {
     fn kind(&self) -> Kind;
     /// Returns the reflectance at perpendicular incidence: of a metal, or by the index of refraction.
     fn reflectance(&self) -> Option<Rgb<S::Unit>>;
+    /// Returns the complex index of refraction of each register, if it is stated.
+    fn conductor(&self) -> Option<Rgb<Conductor<S::Unit>>>;
     /// Returns the index of refraction: the smaller of the indices inside and outside over the larger, and whether the inside has the
     /// larger.
     fn index(&self) -> Option<(S::Unit, bool)>;
@@ -89,6 +94,8 @@ pub enum Value<S: Scalar> {
     Flag(bool),
     /// A reflectance.
     Reflection(Reflection<S>),
+    /// A reflectance, of metals by their complex index of refraction.
+    Exact(Exact<S>),
     /// Slopes, of which the last ones may have a share of 0.
     Slopes([Roughness<S::Unit>; MOST_SLOPES]),
 }

@@ -38,8 +38,8 @@ pub struct Setup {
     /// Recursion depth, 0 to [`MAX_DEPTH`].
     pub depth: u32,
     /// Numerator and denominator of the part of its light that a ray must bring into the pixel to be traced, 0 to 1: every
-    /// number format rounds it for itself.
-    pub cutoff: (i64, i64),
+    /// number format rounds it for itself. Without it, the model's counts.
+    pub cutoff: Option<(i64, i64)>,
     /// Samples of a pixel. The light of one in its middle is kept as it is; of several it is the mean of displayable light.
     pub sampling: Sampling,
 }
@@ -229,9 +229,12 @@ type Traced<'a, S, M> = Tracer<'a, S, M, Everything, { MAX_DEPTH as usize }, &'a
 
 impl<S: Format, M: Illumination<S> + Clone> Modelled<S, M> {
     fn tracer<'a>(&self, admitted: &'a Admitted<'a, S, &'a Packets>) -> Option<Traced<'a, S, M>> {
-        let Setup { depth, cutoff: (numerator, denominator), .. } = self.ready.setup;
+        let Setup { depth, cutoff, .. } = self.ready.setup;
         let tracer: Traced<'a, S, M> = Tracer::new(admitted, self.model.clone(), depth).ok()?;
-        Some(tracer.with_cutoff(S::Unit::ratio(numerator, denominator)))
+        Some(match cutoff {
+            Some((numerator, denominator)) => tracer.with_cutoff(S::Unit::ratio(numerator, denominator)),
+            None => tracer,
+        })
     }
 
     /// Calls `put` with each of the rows `range` of the picture on `raster`, with samples at `places`.

@@ -3,9 +3,11 @@
 use core::fmt::{self, Write};
 
 use rta_core::color::Rgb;
-use rta_core::illumination::air::{Distance, Fog, Haze};
+use rta_core::illumination::air::{Distance, Fog, Haze, Medium};
+use rta_core::illumination::fresnel::Conductor;
 use rta_core::illumination::microfacet::Roughness;
-use rta_core::illumination::table::{PositiveOf, Reflection, Row, Tabled, Value};
+use rta_core::illumination::table::{Exact, PositiveOf, Reflection, Row, Tabled, Value};
+use rta_core::scalar::Unit;
 
 use super::Model;
 use super::literal::Literal;
@@ -13,6 +15,9 @@ use super::module::{ALLOW, color, exponent, length, light, unit, write_names};
 use crate::description::Air;
 use crate::narrow::Narrowed;
 use crate::narrow::air::{Layer, layers};
+use crate::narrow::variant::{Source, Visitor};
+
+const PATH: &str = "::rta_core::illumination";
 
 /// Writes the function `model`, which returns the model for the scene; `middle` is the length of the ray in the middle of the
 /// picture.
@@ -22,35 +27,44 @@ pub(super) fn write<S: Literal>(
     (model, air): (Model, &Air),
     middle: S,
 ) -> fmt::Result {
-    let mut rows = String::new();
-    in_model!(model, model => write_rows(&mut rows, &model, scene))?;
-    let name = model.type_name();
+    let ready = scene.options.with_model(model, Baked { model, middle, scene });
     writeln!(out, "\n/// Returns the illumination model `{model}` for this scene.\n{ALLOW}")?;
     writeln!(out, "pub fn model() -> impl ::rta_core::illumination::Illumination<Number> + Copy {{")?;
     write_names(out, S::CONSTRUCTORS)?;
-    writeln!(out, "    use ::rta_core::illumination::table::Tabled;\n{rows}")?;
-    let focused = format!("::rta_core::illumination::{name}::default(), {}", length(middle));
-    let model = format!("Tabled::<Number>::over(&Tabled::<Number>::focused({focused}), &ROWS)");
-    let (fading, fog) = layers(air, middle, &scene.sky, scene.ambient);
-    let airs = [fading.as_ref().map(fading_of::<S>), fog.as_ref().map(fog_of::<S>)].into_iter().flatten();
-    let model = airs.fold(model, |model, air| {
-        format!("::rta_core::illumination::air::Through {{ model: {model}, air: ::rta_core::illumination::air::{air} }}")
+    writeln!(out, "    use ::rta_core::illumination::table::Tabled;")?;
+    let (fading, medium) = layers(air, (middle, model.is_attenuated()), &scene.sky, scene.ambient);
+    let airs =
+        [fading.as_ref().map(fading_of::<S>), medium.as_ref().map(medium_of::<S>)].into_iter().flatten();
+    let ready = airs.fold(ready, |model, air| {
+        format!("{PATH}::air::Through {{ model: {model}, air: {PATH}::air::{air} }}")
     });
-    writeln!(out, "    {model}\n}}")
+    writeln!(out, "    {ready}\n}}")
 }
 
-fn write_rows<S: Literal, M: Tabled<S>>(out: &mut impl Write, model: &M, scene: &Narrowed<S>) -> fmt::Result {
-    if M::Row::NAME.is_empty() {
-        return write!(out, "    static ROWS: [(); 0] = [];");
+/// A model that is to be written for a scene, with the length of the ray in the middle of the picture.
+struct Baked<'a, S: Literal> {
+    model: Model,
+    middle: S,
+    scene: &'a Narrowed<S>,
+}
+
+impl<S: Literal> Visitor<S> for Baked<'_, S> {
+    type Output = String;
+
+    /// Returns an expression of the model over its rows.
+    fn visit<M: Tabled<S> + 'static>(self, model: M, Source { text, argument }: Source<S>) -> String {
+        let argument = argument.map_or_else(String::new, |value| format!("({})", literal(value)));
+        let focused = format!("Tabled::<Number>::focused({text}{argument}, {})", length(self.middle));
+        let rows = if M::Row::NAME.is_empty() { Vec::new() } else { self.scene.rows(self.model, &model) };
+        let rows: Vec<_> = rows.iter().map(row).collect();
+        format!("Tabled::<Number>::over(&{focused}, const {{ &[{}] }})", rows.join(", "))
     }
-    let path = format!("::rta_core::illumination::{}", M::Row::NAME);
-    writeln!(out, "    static ROWS: [{path}<Number>; {}] = [", scene.said.len())?;
-    for material in &scene.said {
-        let mut fields = Vec::new();
-        model.row(material).fields(|name, value| fields.push(format!("{name}: {}", literal(value))));
-        writeln!(out, "        {path} {{ {} }},", fields.join(", "))?;
-    }
-    write!(out, "    ];")
+}
+
+fn row<S: Literal, R: Row<S>>(row: &R) -> String {
+    let mut fields = Vec::new();
+    row.fields(|name, value| fields.push(format!("{name}: {}", literal(value))));
+    format!("\n        {PATH}::{} {{ {} }}", R::NAME, fields.join(", "))
 }
 
 fn literal<S: Literal>(value: Value<S>) -> String {
@@ -61,23 +75,34 @@ fn literal<S: Literal>(value: Value<S>) -> String {
         Value::Color(value) => color::<S>(value),
         Value::Positives(value) => positives::<S>(value),
         Value::Flag(value) => value.to_string(),
-        Value::Reflection(Reflection { f0, q, denser, is_metal, is_tinted }) => {
-            let (f0, q) = (color::<S>(f0), unit::<S>(q));
-            format!(
-                "::rta_core::illumination::table::Reflection {{ f0: {f0}, q: {q}, denser: {denser}, \
-                 is_metal: {is_metal}, is_tinted: {is_tinted} }}"
-            )
+        Value::Reflection(value) => reflection(value),
+        Value::Exact(Exact { metal, plain }) => {
+            let metal = metal.map_or_else(
+                || "None".into(),
+                |Rgb { r, g, b }| format!("Some(Rgb::new({}))", [r, g, b].map(conductor::<S>).join(", ")),
+            );
+            format!("{PATH}::table::Exact {{ metal: {metal}, plain: {} }}", reflection(plain))
         }
         Value::Slopes(slopes) => {
             let slope = |Roughness { share, inverse }| {
                 let (share, inverse) = (unit::<S>(share), positive::<S>(inverse));
-                format!(
-                    "::rta_core::illumination::microfacet::Roughness {{ share: {share}, inverse: {inverse} }}"
-                )
+                format!("{PATH}::microfacet::Roughness {{ share: {share}, inverse: {inverse} }}")
             };
             format!("[{}]", slopes.map(slope).join(", "))
         }
     }
+}
+
+fn reflection<S: Literal>(Reflection { f0, q, denser, is_metal, is_tinted }: Reflection<S>) -> String {
+    let (f0, q) = (color::<S>(f0), unit::<S>(q));
+    format!(
+        "{PATH}::table::Reflection {{ f0: {f0}, q: {q}, denser: {denser}, is_metal: {is_metal}, is_tinted: {is_tinted} }}"
+    )
+}
+
+fn conductor<S: Literal>(Conductor { difference, product, scale }: Conductor<S::Unit>) -> String {
+    let [difference, product, scale] = [difference, product, scale].map(unit::<S>);
+    format!("{PATH}::fresnel::Conductor {{ difference: {difference}, product: {product}, scale: {scale} }}")
 }
 
 fn positive<S: Literal>(value: PositiveOf<S>) -> String {
@@ -99,6 +124,16 @@ fn fading_of<S: Literal>(layer: &Layer<S>) -> String {
     }
 }
 
-fn fog_of<S: Literal>(Fog { density, glow }: &Fog<S>) -> String {
-    format!("Fog {{ density: {}, glow: {} }}", positives::<S>(*density), light::<S>(*glow))
+/// Returns a medium as an expression: one that scatters nothing is fog.
+fn medium_of<S: Literal>(medium: &Medium<S>) -> String {
+    let Medium { fog: Fog { density, glow }, albedo, phase, halvings, shadows, fades } = *medium;
+    let fog = format!("Fog {{ density: {}, glow: {} }}", positives::<S>(density), light::<S>(glow));
+    if albedo == S::Unit::ZERO {
+        return fog;
+    }
+    let (albedo, forward) = (unit::<S>(albedo), unit::<S>(phase.forward));
+    format!(
+        "Medium {{ fog: {PATH}::air::{fog}, albedo: {albedo}, phase: {PATH}::fade::Phase {{ forward: {forward} }}, \
+         halvings: {halvings}, shadows: {shadows}, fades: {fades} }}"
+    )
 }

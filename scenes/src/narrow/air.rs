@@ -2,6 +2,7 @@
 
 use rta_core::color::Rgb;
 use rta_core::illumination::air::{self, Distance, Fog, Haze};
+use rta_core::illumination::fade::Phase;
 use rta_core::illumination::{Passage, Way};
 use rta_core::needs::Needs;
 use rta_core::scalar::{Light, Scalar};
@@ -36,11 +37,24 @@ impl<S: Scalar> air::Air<S> for Layer<S> {
 }
 
 /// What surrounds a model: how light fades, and a medium.
-pub type Layers<S> = (Option<Layer<S>>, Option<Fog<S>>);
+pub type Layers<S> = (Option<Layer<S>>, Option<air::Medium<S>>);
 
-/// Returns the layers of air for a scene with that sky and ambient light; `middle` is the length of the ray in the middle of its
+/// The fewest and the most places along a ray that light of lamps is taken at.
+const FEWEST_PLACES: u32 = 16;
+const MOST_PLACES: u32 = 4096;
+
+/// The most forward or backward that a medium scatters.
+const MOST_FORWARD: f64 = 0.9;
+
+/// Returns the layers of air for a scene with that sky and ambient light, under a model whose lamps fade with the distance or do not;
+/// `middle` is the length of the ray in the middle of its
 /// picture. Lengths beyond the format's largest are cut to it: no ray is longer.
-pub fn layers<S: Narrow>(air: &Air, middle: S, sky: &Sky<S>, ambient: Rgb<S::Light>) -> Layers<S> {
+pub fn layers<S: Narrow>(
+    air: &Air,
+    (middle, fades): (S, bool),
+    sky: &Sky<S>,
+    ambient: Rgb<S::Light>,
+) -> Layers<S> {
     let length = |length: f64| S::length(length.clamp(0.0, S::largest()));
     let fading = air.attenuation.map(|Attenuation { fading, from, color }| {
         let by = |p: f64| {
@@ -59,10 +73,18 @@ pub fn layers<S: Narrow>(air: &Air, middle: S, sky: &Sky<S>, ambient: Rgb<S::Lig
             }
         }
     });
-    let fog = air.medium.map(|Medium { extinction, albedo, .. }| {
+    let medium = air.medium.map(|Medium { extinction, albedo, anisotropy, shadows }| {
         let [r, g, b] = extinction.map(|s| <S as Narrow>::power(s * core::f64::consts::LOG2_E));
-        let albedo = S::unit(albedo);
-        Fog { density: Rgb::new(r, g, b), glow: ambient.map(|light| light.times(albedo)) }
+        let (albedo, forward) = (S::unit(albedo), S::unit(anisotropy.clamp(-MOST_FORWARD, MOST_FORWARD)));
+        let places = shadows.clamp(FEWEST_PLACES, MOST_PLACES).next_power_of_two();
+        air::Medium {
+            fog: Fog { density: Rgb::new(r, g, b), glow: ambient.map(|light| light.times(albedo)) },
+            albedo,
+            phase: Phase { forward },
+            halvings: u8::try_from(places.ilog2()).unwrap_or(u8::MAX),
+            shadows: shadows > 0,
+            fades,
+        }
     });
-    (fading, fog)
+    (fading, medium)
 }

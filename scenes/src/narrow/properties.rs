@@ -1,6 +1,7 @@
 //! What a scene says of a material, in the numbers of a format.
 
 use rta_core::color::Rgb;
+use rta_core::illumination::fresnel::Conductor;
 use rta_core::illumination::microfacet::Roughness;
 use rta_core::illumination::table::{PositiveOf, Properties};
 use rta_core::scalar::Exponent;
@@ -30,6 +31,16 @@ fn color<S: Narrow>(color: [f64; 3]) -> Rgb<S::Unit> {
 /// Returns the reflectance at perpendicular incidence of a material with the index n - i k.
 fn f0([n, k]: [f64; 2]) -> f64 {
     ((n - 1.0).powi(2) + k * k) / ((n + 1.0).powi(2) + k * k)
+}
+
+/// Returns a metal with the index n - i k.
+pub fn conductor<S: Narrow>([n, k]: [f64; 2]) -> Conductor<S::Unit> {
+    let sum = n * n + k * k + 1.0;
+    Conductor {
+        difference: S::unit((n * n - k * k) / sum),
+        product: S::unit(2.0 * n * k / sum),
+        scale: S::unit(sum.sqrt().recip()),
+    }
 }
 
 impl<S: Narrow> Properties<S> for Material {
@@ -79,6 +90,10 @@ impl<S: Narrow> Properties<S> for Material {
         let by_nk = || self.nk.map(|registers| registers.map(f0));
         let by_index = || self.index.map(|n| [f0([n, 0.0]); 3]);
         self.metal.or_else(by_nk).or_else(by_index).map(color::<S>)
+    }
+    fn conductor(&self) -> Option<Rgb<Conductor<S::Unit>>> {
+        let [r, g, b] = self.nk?.map(conductor::<S>);
+        Some(Rgb::new(r, g, b))
     }
     fn index(&self) -> Option<(S::Unit, bool)> {
         self.index.map(|n| (unit::<S>(n.min(1.0 / n)), n >= 1.0))

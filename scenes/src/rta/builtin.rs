@@ -79,16 +79,43 @@ const TINTED: [(&str, [f64; 3]); 4] = [
 /// What tinted glasses refract by.
 const TINTED_INDEX: f64 = 1.5;
 
-/// Metals, by what they reflect at perpendicular incidence: the reflectance under D65 in linear sRGB. Gold, silver and copper from
-/// Johnson and Christy 1972, iron from Johnson and Christy 1974, aluminium from Rakic 1995.
-const METALS: [(&str, [f64; 3]); 5] = [
-    ("gold", [0.999, 0.728, 0.365]),
-    ("silver", [0.989, 0.984, 0.978]),
-    ("copper", COPPER),
-    ("aluminium", [0.907, 0.916, 0.922]),
-    ("iron", [0.530, 0.513, 0.494]),
+/// A metal: what it reflects at perpendicular incidence under D65, in linear sRGB, and its optical constants n and k at 611, 549 and 464
+/// nm, the wavelengths that look like the three registers.
+struct Metal {
+    name: &'static str,
+    reflected: [f64; 3],
+    nk: [[f64; 2]; 3],
+}
+
+const COPPER: Metal = Metal {
+    name: "copper", // Johnson and Christy 1972
+    reflected: [0.932, 0.623, 0.522],
+    nk: [[0.3669, 3.1213], [1.0162, 2.5785], [1.2464, 2.4520]],
+};
+
+const METALS: [Metal; 5] = [
+    Metal {
+        name: "gold", // Johnson and Christy 1972
+        reflected: [0.999, 0.728, 0.365],
+        nk: [[0.2234, 3.2036], [0.4283, 2.4599], [1.3353, 1.8725]],
+    },
+    Metal {
+        name: "silver", // Johnson and Christy 1972
+        reflected: [0.989, 0.984, 0.978],
+        nk: [[0.0583, 4.1029], [0.0599, 3.5892], [0.0464, 2.7925]],
+    },
+    COPPER,
+    Metal {
+        name: "aluminium", // Rakic 1995
+        reflected: [0.907, 0.916, 0.922],
+        nk: [[1.3195, 7.3068], [1.0109, 6.6157], [0.6825, 5.6230]],
+    },
+    Metal {
+        name: "iron", // Johnson and Christy 1974
+        reflected: [0.530, 0.513, 0.494],
+        nk: [[2.8903, 3.0397], [2.9500, 2.9300], [2.6420, 2.8025]],
+    },
 ];
-const COPPER: [f64; 3] = [0.932, 0.623, 0.522];
 
 /// The angle, in degrees, at which the highlights of metals have half their strength.
 const METAL_GLOSS: f64 = 10.0;
@@ -129,7 +156,7 @@ pub(super) fn material(name: &str) -> Option<Material> {
         // A metal of two slopes (Cook and Torrance 1982).
         "cook-copper" => {
             let slopes = vec![Slope { slope: 0.4, share: 0.4 }, Slope { slope: 0.2, share: 0.6 }];
-            return Some(Material { slopes, specular: Some(1.0), ..metal(named, COPPER) });
+            return Some(Material { slopes, specular: Some(1.0), ..metal(named, &COPPER) });
         }
         // Without microfacets (Cook and Torrance 1982).
         "lunar-dust" => return Some(Material { diffuse: Some(1.0), specular: Some(0.0), ..named }),
@@ -152,8 +179,8 @@ pub(super) fn material(name: &str) -> Option<Material> {
         let (index, absorb) = (Some(TINTED_INDEX), Some(*left));
         return Some(Material { index, absorb, ..of_kind(Kind::Glass) });
     }
-    if let Some((_, reflected)) = METALS.iter().find(|(own, _)| *own == name) {
-        return Some(metal(named, *reflected));
+    if let Some(own) = METALS.iter().find(|own| own.name == name) {
+        return Some(metal(named, own));
     }
     let (_, share, slope) = *PAPER.iter().find(|(own, ..)| *own == name)?;
     let slopes = vec![Slope { slope, share: 1.0 }];
@@ -161,21 +188,21 @@ pub(super) fn material(name: &str) -> Option<Material> {
     let like = Material { diffuse, specular, slopes, ..of_kind(Kind::Shiny) };
     Some(match name {
         // With the reflectance of vinyl, 0.04.
-        "copper-plastic" => Material { color: Some(COPPER), index: Some(1.5), ..like },
+        "copper-plastic" => Material { color: Some(COPPER.reflected), index: Some(1.5), ..like },
         _ => like,
     })
 }
 
-fn metal(named: Material, reflected: [f64; 3]) -> Material {
-    let (metal, color) = (Some(reflected), Some(reflected));
-    Material { kind: Kind::Metal, metal, color, gloss: Some(METAL_GLOSS), ..named }
+fn metal(named: Material, &Metal { reflected, nk, .. }: &Metal) -> Material {
+    let (metal, color, nk) = (Some(reflected), Some(reflected), Some(nk));
+    Material { kind: Kind::Metal, metal, nk, color, gloss: Some(METAL_GLOSS), ..named }
 }
 
 /// Returns the names of all built-in materials.
 pub(super) fn names() -> impl Iterator<Item = &'static str> {
     let simple = ["opaque", "shiny", "mirror", "plastic", "matte"].into_iter();
     let glasses = GLASSES.iter().map(|glass| glass.name).chain(TINTED.iter().map(|(name, _)| *name));
-    let metals = METALS.iter().map(|(name, _)| *name);
+    let metals = METALS.iter().map(|metal| metal.name);
     let paper = ["cook-copper", "lunar-dust"].into_iter().chain(PAPER.iter().map(|(name, ..)| *name));
     simple.chain(glasses).chain(metals).chain(paper)
 }

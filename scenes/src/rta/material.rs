@@ -48,11 +48,9 @@ impl<'a> Reader<'a> {
             *own = said.number(keyword).or(*own);
         }
         made.color = said.triple("color").or(made.color);
-        if let Some(metal) = said.triple("metal") {
-            (made.metal, made.nk) = (Some(metal), None);
-        }
-        if let Some(nk) = said.part("nk") {
-            (made.metal, made.nk) = (None, Some([nk.numbers(0), nk.numbers(2), nk.numbers(4)]));
+        if said.has("metal") || said.has("nk") {
+            made.metal = said.triple("metal");
+            made.nk = said.part("nk").map(|nk| [nk.numbers(0), nk.numbers(2), nk.numbers(4)]);
         }
         if let Some(left) = said.triple("absorb") {
             let over = said.number("over").unwrap_or(1.0);

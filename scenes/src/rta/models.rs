@@ -11,12 +11,13 @@ type Choice = (&'static str, &'static [Range]);
 
 const FACETS: Range = Range::Between(1.0, 1000.0);
 const POSITIVE: &[Range] = &[Range::Positive];
-const EDGE: &[Range] = &[Range::Between(1.0, 3.0), Range::Share, Range::Share];
+const STEPS: Range = Range::Whole(1, 3);
+const EDGE: &[Range] = &[STEPS, Range::Share, Range::Share];
 const GLOSS: &[Range] = &[Range::Gloss];
 
 /// The options of the models that have some.
 const OPTIONS: &[(&str, &[Choice])] = &[
-    ("bouknight", &[("mach", &[Range::Between(1.0, 3.0)]), ("p", &[Range::Between(1.0, 2.0)])]),
+    ("bouknight", &[("mach", &[STEPS]), ("p", &[Range::Between(1.0, 2.0)])]),
     ("romney", &[("p", &[Range::Between(1.0, 100.0)])]),
     ("newell", &[("edge", EDGE)]),
     (

@@ -160,9 +160,6 @@ fn simple(surface: &Surface, materials: &[Material]) -> Material {
         }
         _ => {}
     }
-    if made.nk.is_some() {
-        made.metal = None;
-    }
     made
 }
 

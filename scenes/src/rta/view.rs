@@ -99,12 +99,8 @@ impl<'a> Reader<'a> {
 
     pub(super) fn model(&mut self, said: &Said<'a>) -> Result<(), SceneError> {
         let model = models::model(said)?;
-        let options = models::options(said, model.name())?;
-        if !options.is_empty() {
-            self.undrawn("options of the illumination model", said.place.0);
-        }
+        self.scene.settings.model_options = models::options(said, model.name())?;
         self.scene.model = model;
-        self.scene.settings.model_options = options;
         Ok(())
     }
 
@@ -177,9 +173,6 @@ impl<'a> Reader<'a> {
         if self.scene.air.medium.is_some() {
             let found = Found::Told("a second: fog is a medium too".into());
             return Err(said.error(said.place, "one medium", found));
-        }
-        if medium.albedo > 0.0 {
-            self.undrawn("light of lamps that a medium scatters", said.place.0);
         }
         self.scene.air.medium = Some(medium);
         Ok(())

@@ -80,7 +80,7 @@ const SMALL: Settings = Settings {
     format: Format::Q16,
     model: Model::Rta,
     depth: DEPTH,
-    cutoff: rta::sampling::Cutoff::OFF,
+    cutoff: None,
     sampling: rta_core::sampling::Sampling::CENTER,
 };
 

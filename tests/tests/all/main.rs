@@ -19,6 +19,7 @@ mod fit;
 mod geometry;
 mod golden;
 mod invariance;
+mod medium;
 mod models;
 mod needs;
 mod numbers;

@@ -132,12 +132,12 @@ fn no_cutoff_changes_nothing_and_some_cutoff_does() {
         let small = |format| Settings { depth: 4, ..small(format) };
         let plain = levels(&scene, &small(format));
         let least = Cutoff::one_in(u16::MAX);
-        assert!(plain == levels(&scene, &Settings { cutoff: Cutoff::OFF, ..small(format) }));
+        assert!(plain == levels(&scene, &Settings { cutoff: Some(Cutoff::OFF), ..small(format) }));
         assert!(
-            plain == levels(&scene, &Settings { cutoff: least, ..small(format) }),
+            plain == levels(&scene, &Settings { cutoff: Some(least), ..small(format) }),
             "nothing is that faint"
         );
-        assert!(plain != levels(&scene, &Settings { cutoff: Cutoff::one_in(2), ..small(format) }));
+        assert!(plain != levels(&scene, &Settings { cutoff: Some(Cutoff::one_in(2)), ..small(format) }));
     }
 }
 

@@ -14,27 +14,59 @@ const FEWEST: u8 = 4;
 /// middle. With 16 the value errs by at most 1e-4 / height^2; four times as many divide the error by 16. The result is 0 or
 /// more, at most `s (to - from) / (4 height^2)`.
 pub fn airlight<S: Scalar>(extinction: S::Power, height: S, from: S, to: S, halvings: u8) -> S::Power {
-    let (start, end) = (End::new(height, from), End::new(height, to));
-    let height = height.positive();
-    let width =
-        if (from < S::ZERO) == (to < S::ZERO) { (to - from).positive() } else { size(from).plus(size(to)) };
-    // The half of the angle, by the halves of the ends' angles with the lamp's foot. No cosine is 0: the ray is not endless.
-    let least = S::Unit::ratio(1, 1 << 24);
-    let cosine = start.cosine.times(end.cosine) + start.sine.times(end.sine);
-    let cosine = if cosine < least { least } else { cosine };
-    // Of the two forms of the sine each is exact where the other is a difference or a quotient of small numbers.
-    let sine = if cosine < S::Unit::ratio(1, 2) {
-        (end.sine.times(start.cosine) - start.sine.times(end.cosine)).positive()
-    } else {
-        height.times(width).over(start.away.times(end.away).times(cosine.positive())).times(half())
-    };
-    let zero = S::ZERO.positive();
-    let part =
-        Part { before: zero, width, start: start.away, end: end.away, cosine: cosine.positive(), sine };
-    let halvings = halvings.max(FEWEST);
-    let angle = part.angle(halvings);
-    let quarter = S::Power::new(1, -2);
-    part.mean(extinction, halvings).times(angle).times(extinction).over(height).times(quarter)
+    let sight = Sight::<S>::new(height, from, to, halvings);
+    let mut sum = S::ZERO.positive();
+    sight.places(&mut |along, away| {
+        sum = sum.plus(extinction.times(along.plus(away)).exp_minus().positive());
+    });
+    sight.integral(sum).times(extinction)
+}
+
+/// A ray as a lamp sees it: places on it at the middles of equal parts of the angle that the lamp sees of the ray.
+#[derive(Clone, Copy, Debug)]
+pub struct Sight<S: Scalar> {
+    part: Part<S::Power>,
+    height: S::Power,
+    halvings: u8,
+}
+
+impl<S: Scalar> Sight<S> {
+    /// Returns the view of a ray from a lamp at the distance `height`, above 0, from the ray's line. `from` and `to` are the ends of the ray
+    /// along the line, measured from the foot of the lamp; `to` is the larger one. There are `2^halvings` places, at least 16.
+    pub fn new(height: S, from: S, to: S, halvings: u8) -> Self {
+        let (start, end) = (End::new(height, from), End::new(height, to));
+        let height = height.positive();
+        let width = if (from < S::ZERO) == (to < S::ZERO) {
+            (to - from).positive()
+        } else {
+            size(from).plus(size(to))
+        };
+        // The half of the angle, by the halves of the ends' angles with the lamp's foot. No cosine is 0: the ray is not endless.
+        let least = S::Unit::ratio(1, 1 << 24);
+        let cosine = start.cosine.times(end.cosine) + start.sine.times(end.sine);
+        let cosine = if cosine < least { least } else { cosine };
+        // Of the two forms of the sine each is exact where the other is a difference or a quotient of small numbers.
+        let sine = if cosine < S::Unit::ratio(1, 2) {
+            (end.sine.times(start.cosine) - start.sine.times(end.cosine)).positive()
+        } else {
+            height.times(width).over(start.away.times(end.away).times(cosine.positive())).times(half())
+        };
+        let before = S::ZERO.positive();
+        let part = Part { before, width, start: start.away, end: end.away, cosine: cosine.positive(), sine };
+        Self { part, height, halvings: halvings.max(FEWEST) }
+    }
+
+    /// Calls `see` with each place: its distance from the start of the ray and that from the lamp.
+    pub fn places(&self, see: &mut impl FnMut(S::Power, S::Power)) {
+        self.part.places(self.halvings, see);
+    }
+
+    /// Returns a quarter of the integral of `f / r^2` over the ray, for the sum of f over its places.
+    pub fn integral(&self, sum: S::Power) -> S::Power {
+        // The mean over the angle, times the angle.
+        let mean = sum.times(S::Power::new(1, -i32::from(self.halvings) - 2));
+        mean.times(self.part.angle(self.halvings)).over(self.height)
+    }
 }
 
 fn half<P: Positive>() -> P {
@@ -68,7 +100,7 @@ impl<S: Scalar> End<S> {
 }
 
 /// A part of a ray.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 struct Part<P> {
     /// Length of the ray before it.
     before: P,
@@ -104,15 +136,15 @@ impl<P: Positive> Part<P> {
         twice.plus(twice).times(self.cosine)
     }
 
-    /// Returns the mean of what the medium leaves of the light on its way to the start of the ray, over the angle.
-    fn mean(self, extinction: P, halvings: u8) -> P {
+    /// Calls `see` with the middle of each of `2^halvings` parts: its distance from the start of the ray and that from the lamp.
+    fn places(self, halvings: u8, see: &mut impl FnMut(P, P)) {
         if halvings == 0 {
             let middle = self.width.times(self.start).over(self.start.plus(self.end));
-            let way = self.before.plus(middle).plus(self.middle());
-            return extinction.times(way).exp_minus().positive();
+            return see(self.before.plus(middle), self.middle());
         }
-        let [first, second] = self.halves().map(|part| part.mean(extinction, halvings - 1));
-        first.plus(second).times(half())
+        for half in self.halves() {
+            half.places(halvings - 1, see);
+        }
     }
 
     /// Returns the angle that the lamp sees of the part (radians), by the arcsine's series for that of `2^-halvings` of it.

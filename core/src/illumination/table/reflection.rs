@@ -1,10 +1,20 @@
 //! What the border of a material reflects, by what a scene says of the material.
 
-use super::{Kind, Properties};
+use super::{Kind, Properties, Value};
 use crate::color::Rgb;
 use crate::illumination::fresnel::{Shift, dielectric, inverse_index};
 use crate::scalar::{Positive, Scalar, Unit};
 use crate::surface::Surface;
+
+/// What a material reflects, decided by what a scene says of it.
+pub trait Reflecting<S: Scalar>: Copy + core::fmt::Debug + Send + Sync {
+    /// Returns the reflectance of a material; of one that says nothing, as of the index 1.5.
+    fn of(material: &impl Properties<S>) -> Self;
+    /// Returns the part of the light that is reflected, 0 to 1, where the ray meets facets at that cosine.
+    fn at(&self, surface: &Surface<S>, cosine: S::Unit) -> Rgb<S::Unit>;
+    /// Returns it as the value of a row.
+    fn value(&self) -> Value<S>;
+}
 
 /// The reflectance of a material: of one that light enters by Fresnel's equations and its index of refraction, of a metal by Cook's
 /// shift from its colour towards white.
@@ -36,9 +46,8 @@ fn at_most_one<U: Unit>(value: U) -> U {
     if value > U::ONE { U::ONE } else { value }
 }
 
-impl<S: Scalar> Reflection<S> {
-    /// Returns the reflectance of a material; of one that says nothing, as of the index 1.5.
-    pub fn of(material: &impl Properties<S>) -> Self {
+impl<S: Scalar> Reflecting<S> for Reflection<S> {
+    fn of(material: &impl Properties<S>) -> Self {
         let (is_metal, is_tinted) = match material.kind() {
             Kind::Mirror => (true, true),
             Kind::Metal => (true, material.reflectance().is_none()),
@@ -53,8 +62,7 @@ impl<S: Scalar> Reflection<S> {
         Self { f0, q, denser, is_metal, is_tinted }
     }
 
-    /// Returns the part of the light that is reflected, 0 to 1, where the ray meets facets at that cosine.
-    pub fn at(&self, surface: &Surface<S>, cosine: S::Unit) -> Rgb<S::Unit> {
+    fn at(&self, surface: &Surface<S>, cosine: S::Unit) -> Rgb<S::Unit> {
         let cosine = at_most_one(cosine);
         if !self.is_metal {
             let part = dielectric(self.q, self.denser != surface.inside, cosine);
@@ -65,5 +73,9 @@ impl<S: Scalar> Reflection<S> {
         let q = if self.is_tinted { inverse_index(mean) } else { self.q };
         let white = Shift { mean, q }.white(cosine);
         f0.map(|register| register + (S::Unit::ONE - register).times(white))
+    }
+
+    fn value(&self) -> Value<S> {
+        Value::Reflection(*self)
     }
 }

@@ -121,9 +121,15 @@ impl<'a, M: Illumination<f32>, const STACK: usize> Trees4<'a, M, STACK> {
         (pending, rays, k): (&Pending<f32, M::Weight>, &Ray4, usize),
         length: Option<f32>,
     ) -> Option<Passage<f32, M::Weight>> {
-        let (.., model, _, _) = tracer.parts();
+        let (scene, model, ..) = tracer.parts();
         let surface = (self.surfaces.on >> k & 1 == 1).then(|| self.surfaces.surface(rays, k));
-        let way = Way { kind: pending.branch.kind, start: pending.start, length, surface: surface.as_ref() };
+        let way = Way {
+            kind: pending.branch.kind,
+            start: pending.start,
+            length,
+            surface: surface.as_ref(),
+            lamps: scene.scene.lamps,
+        };
         model.along::<N>(&way, |place, lamp| tracer.reached(place, lamp, &mut self.cache))
     }
 

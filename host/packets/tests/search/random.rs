@@ -49,7 +49,7 @@ fn compare<S: Format>() {
             .nth(usize::try_from(seed).expect("small"))
             .map_or(Air::default(), |text| text.parse().expect("air"));
         let setup =
-            Setup { raster: raster(), aspect: 1.0, depth: DEPTH, cutoff: (0, 1), sampling: Sampling::CENTER };
+            Setup { raster: raster(), aspect: 1.0, depth: DEPTH, cutoff: None, sampling: Sampling::CENTER };
         let model = Model::ALL.iter().cycle().nth(usize::try_from(seed / 3).expect("small"));
         let model = *model.expect("there are models");
         let Ok(picture) = S::picture(&scene, model, &setup) else { continue };

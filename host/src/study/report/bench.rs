@@ -136,7 +136,7 @@ impl<S: picture::Format> Ready<S> {
         raster: Raster,
     ) -> Result<Box<dyn Traced<S>>, EngineError> {
         let Limit { depth, cutoff } = limit;
-        let cutoff = (cutoff.numerator(), cutoff.denominator());
+        let cutoff = Some((cutoff.numerator(), cutoff.denominator()));
         S::picture(&self.scene, Model::Rta, &Setup { raster, aspect: self.aspect, depth, cutoff, sampling })
     }
 }

@@ -1,7 +1,7 @@
 //! The functions that values can be stated of, by their names: the functions of the core that pictures are made with.
 
 use rta_core::illumination::fade::{Phase, airlight, edge, fade, haze, transmittance};
-use rta_core::illumination::fresnel::{Conductor, Shift, dielectric, f0, index, inverse_index};
+use rta_core::illumination::fresnel::{Shift, dielectric, f0, index, inverse_index};
 use rta_core::illumination::microfacet::{
     Attenuation, Beckmann, Distribution, Gauss, Power, Sancer, Slope, TorranceSparrow, Trowbridge, highlight,
     mixed, refracting,
@@ -10,7 +10,7 @@ use rta_core::illumination::{Blinn, Bouknight, Lambert, Phong, Romney, Whitted};
 use rta_core::scalar::Unit;
 use rta_core::vector::{UnitVec3, UnitVector};
 use rta_scenes::gloss;
-use rta_scenes::narrow::{Narrow, exponent};
+use rta_scenes::narrow::{Narrow, conductor, exponent};
 
 use super::albedo::albedo;
 use super::frame::{Lit, cosine, direction, facet, positive, reflected_lamp, roughness};
@@ -87,13 +87,7 @@ pub(super) fn all<S: Narrow>() -> Vec<Function> {
         g_sancer(tl, tv, m) within NEAR => passed::<S>(&Sancer(&[roughness::<S>(1.0, m)]), tl, tv, 180.0);
         fresnel(eta, angle) within NEAR => unit::<S>(reflected::<S>(eta, cosine::<S>(angle)));
         fresnel_k(eta, k, angle) within NEAR => {
-            let sum = eta * eta + k * k + 1.0;
-            let metal = Conductor {
-                difference: S::unit((eta * eta - k * k) / sum),
-                product: S::unit(2.0 * eta * k / sum),
-                scale: S::unit(sum.sqrt().recip()),
-            };
-            unit::<S>(metal.reflectance(cosine::<S>(angle)))
+            unit::<S>(conductor::<S>([eta, k]).reflectance(cosine::<S>(angle)))
         };
         f0(eta, k) within NEAR => unit::<S>(f0::<S::Unit>(positive::<S>(eta), positive::<S>(k)));
         eta_of(f0) within NEAR => S::power_to_f64(index(S::unit(f0)));

@@ -135,9 +135,8 @@ pub(super) const THINGS: &[Statement] = &[
                 "dispersion: B and C in square micrometres, in pairs",
             )
             .more(15, &[V("B", Number(Any)), V("C", Number(Any))]),
-            either(1, "metal", &[V("reflectance", Color(Unit))], "what a metal reflects straight back"),
-            either(
-                1,
+            may("metal", &[V("reflectance", Color(Unit))], "what a metal reflects straight back"),
+            may(
                 "nk",
                 &[
                     V("n of red", Number(Positive)),
@@ -147,7 +146,7 @@ pub(super) const THINGS: &[Statement] = &[
                     V("n of blue", Number(Positive)),
                     V("k of blue", Number(NotNegative)),
                 ],
-                "optical constants of a metal",
+                "optical constants of a metal, for models that compute what it reflects; with metal that is its colour",
             ),
             may(
                 "absorb",

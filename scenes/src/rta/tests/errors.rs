@@ -188,7 +188,7 @@ fn what_does_not_go_together_is_told() {
         ),
         (
             "model bouknight mach 9",
-            "5:22: expected the mach of the model bouknight (a number from 1 to 3), found 9",
+            "5:22: expected the mach of the model bouknight (a whole number from 1 to 3), found 9",
         ),
         (
             "material 9",
