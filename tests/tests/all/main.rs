@@ -15,6 +15,7 @@ mod cases;
 mod circles;
 mod devices;
 mod examples;
+mod extremes;
 mod fit;
 mod geometry;
 mod golden;
