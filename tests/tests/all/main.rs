@@ -19,6 +19,7 @@ mod extremes;
 mod fit;
 mod geometry;
 mod golden;
+mod identities;
 mod invariance;
 mod models;
 mod needs;
