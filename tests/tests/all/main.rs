@@ -14,6 +14,7 @@ mod bvh;
 mod cases;
 mod circles;
 mod devices;
+mod edges;
 mod examples;
 mod extremes;
 mod fit;
