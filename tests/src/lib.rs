@@ -6,6 +6,7 @@ pub mod agreement;
 pub mod boards;
 pub mod close;
 pub mod exact;
+pub mod fuzzed;
 pub mod golden;
 pub mod measure;
 pub mod oracle;

@@ -18,6 +18,7 @@ mod edges;
 mod examples;
 mod extremes;
 mod fit;
+mod fuzzed;
 mod geometry;
 mod golden;
 mod identities;
