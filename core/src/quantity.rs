@@ -25,7 +25,7 @@ pub enum Quantity {
     Component,
     /// A component of the vector from the eye to a place of the image plane.
     ImagePlane,
-    /// The reflectance of a surface.
+    /// The reflectance of a surface: its colour, or that times its coefficient of diffuse or of ambient light where it is above 1.
     Reflectance,
     /// The weight of a ray of this depth or a lesser one: a product of as many reflectances.
     Weight(u8),

@@ -12,7 +12,12 @@
 //!   of its depth: [`Limits::depth`] is the deepest that fits.
 //! - Other planes are infinite too. Their places lie within [`Plane::reach`](crate::shape::Plane::reach) of their centres, so
 //!   that each counts as a disc of that radius.
-//! - Radiances saturate, on purpose: their row names the largest.
+//! - Radiances saturate, on purpose: their row names the largest. So does all that a surface sends back of a lamp:
+//!   [`Incident::reflected`](crate::light::Incident::reflected) takes a reflectance without a bound.
+//! - What models of illumination compute on the way is bounded whatever the scene: shares are from 0 to 1, each term of a sum meets the
+//!   light before it is added, and all else is a [`Positive`](crate::scalar::Positive) number, which has an exponent. The bounds are
+//!   stated where the numbers are formed: in [`fresnel`](crate::illumination::fresnel),
+//!   [`microfacet`](crate::illumination::microfacet) and [`fade`](crate::illumination::fade).
 //!
 //! All other intermediate results are differences, rounded products or roots of these; 64-bit sums have their own row.
 
@@ -232,9 +237,15 @@ impl<'a, S: Scalar> Scene<'a, S> {
         let floor_end = if widest < end { end.minus(widest) } else { Magnitude::ZERO };
         let farthest = widest.plus(floor_end);
 
-        let mut reflectance = Worst::NONE;
-        self.surfaces(|object, color, _| reflectance.see(strongest(color), Some(object)));
         let one = S::Unit::ONE.size();
+        let mut reflectance = Worst::NONE;
+        self.surfaces(|object, color, material| {
+            let factor = match material {
+                Material::Finish(Finish { ka, kd, .. }) => one.max(ka.size()).max(kd.size()),
+                _ => one,
+            };
+            reflectance.see(strongest(color).times(factor), Some(object));
+        });
         let heaviest = self.heaviest();
         let depth = deepest::<S::Unit>(heaviest.0);
         let weight = weight::<S::Unit>(heaviest, depth);

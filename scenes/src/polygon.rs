@@ -102,7 +102,16 @@ pub(crate) fn sheet(mut corners: Vec<Triple>, mut normals: Vec<Triple>) -> Resul
         let normals = (!normals.is_empty()).then(|| triangle.map(|vertex| of(&normals, vertex)));
         (triangle.map(|vertex| of(&corners, vertex)), normals)
     };
-    Ok(Sheet { triangles: triangles.into_iter().map(triangle).collect(), is_crossed })
+    // Where it is cut, two places may have become one corner.
+    let triangles = triangles.into_iter().map(triangle).filter(|(vertices, _)| !is_flat(*vertices));
+    let triangles: Vec<_> = triangles.collect();
+    if triangles.is_empty() { Err(NotCut::Flat) } else { Ok(Sheet { triangles, is_crossed }) }
+}
+
+/// Returns whether three places are on one line.
+pub(crate) fn is_flat([a, b, c]: [Triple; 3]) -> bool {
+    let sides = unit(difference(b, a)).zip(unit(difference(c, a)));
+    sides.is_none_or(|(first, second)| cross(first, second) == [0.0; 3])
 }
 
 /// Returns the area of a polygon as Newell's normal has it, or a number above 0 where that is 0.

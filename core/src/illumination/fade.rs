@@ -46,7 +46,7 @@ pub struct Phase<U: Unit> {
 }
 
 impl<U: Unit> Phase<U> {
-    /// Returns `(1 - g^2) / (1 + g^2 - 2 g cos t)^1.5`, from 0.05 to 190, whose mean over all directions is 1; t is the angle
+    /// Returns `(1 - g^2) / (1 + g^2 - 2 g cos t)^1.5`, from 0.027 to 190, whose mean over all directions is 1; t is the angle
     /// between a ray and the direction to the lamp, by its cosine.
     pub fn scattered(&self, cosine: U) -> U::Positive {
         if self.forward == U::ZERO {

@@ -20,11 +20,19 @@ fn mean<U: Unit>(a: U, b: U) -> U {
 }
 
 /// Returns the reflectance of a border without absorption. `q` is the smaller of the two indices of refraction over the larger,
-/// `denser` tells whether the larger is beyond the border, as seen from the ray. 1 for total internal reflection.
+/// `denser` tells whether the larger is beyond the border, as seen from the ray. 1 for total internal reflection, and where both `q`
+/// and the cosine are below 2^-15.
+///
+/// With the cosine c and y, that of the refracted ray, all on the way is a share, 0 to 1: the divisors are `q c + y`, which is at least
+/// the larger of c and `sqrt(1 - q^2)`, and `c + q y`, which is not formed where c and q are little more than rounding.
 ///
 /// In fixed point it errs by at most 1e-8 where the reflected ray is not within a degree of grazing.
 pub fn dielectric<U: Unit>(q: U, denser: bool, cosine: U) -> U {
     if denser {
+        let least = U::ratio(1, 1 << 15);
+        if q < least && cosine < least {
+            return U::ONE;
+        }
         let flat = q.times(cosine);
         let refracted = U::radical(U::ONE, flat, q).unwrap_or(U::ZERO);
         return mean(contrast(flat, refracted), contrast(cosine, q.times(refracted)));

@@ -86,8 +86,9 @@ impl<U: Unit> Facet<U> {
         is_above.then_some(facet)
     }
 
-    /// Returns `D G F / (N.V)`, the divisor at least 2^-10: the reflectance of Blinn's surface (1977), 0 or more without a bound.
-    /// `reflected` is F, what a facet reflects.
+    /// Returns `D G F / (N.V)`, the divisor at least 2^-10: the reflectance of Blinn's surface (1977), at most 1024 D. `reflected` is F,
+    /// what a facet reflects. By [`TorranceSparrow`], it is at most `2 D (N.H) / (V.H)`, large only where lamp and eye both
+    /// graze the surface.
     pub fn reflectance(
         &self,
         distribution: &impl Distribution<U>,
@@ -101,7 +102,8 @@ impl<U: Unit> Facet<U> {
     }
 
     /// Returns `D G F / (4 N.V)`: the reflectance of Cook's and Torrance's surface (1982), with the constant for which a surface
-    /// never returns more light than it gets; the paper prints four times as much.
+    /// never returns more light than it gets; the paper prints four times as much. By [`Beckmann`] it is at most 256 / m^2, or
+    /// 377 / m^2 above m = 0.7071; as a radiance that saturates.
     pub fn balanced_reflectance(
         &self,
         distribution: &impl Distribution<U>,

@@ -14,7 +14,8 @@
 //! does and not that a length of 0.001 has few digits in Q16.16.
 //!
 //! Rays take turns between two illumination models, and only two, so that the tables of all versions can be compared: `Rta`, with
-//! attenuated lamps and weights of three registers, and `Whitted`, with halfway vectors and powers of cosines.
+//! attenuated lamps and weights of three registers, and `Whitted`, with halfway vectors and powers of cosines. Cases of their own put
+//! each model of the list to the ends of what its parameters and its angles may be.
 //!
 //! Overflow is what debug assertions find: each operation of a fixed-point format checks its result in a build that has
 //! them. The profile `checked` is the release build with them, and with panics that unwind, so that one ray's panic is a
@@ -56,7 +57,7 @@ pub const FORMATS: [Format; 3] = [Format::F32, Format::Q16, Format::Q20];
 #[derive(Clone, Debug)]
 pub struct Row {
     /// The case.
-    pub case: &'static str,
+    pub case: String,
     /// The format.
     pub format: Format,
     /// Its outcome.
@@ -83,7 +84,8 @@ pub fn rows(cases: &[Case], samples: usize, mut done: impl FnMut(u32)) -> Result
                     if !stop.load(Ordering::Relaxed) {
                         let outcome = measure(case, *format, samples);
                         // Nobody listens any more only after an interrupt.
-                        let _ = sender.send((place, Row { case: case.name, format: *format, outcome }));
+                        let _ =
+                            sender.send((place, Row { case: case.name.clone(), format: *format, outcome }));
                     }
                 },
             );

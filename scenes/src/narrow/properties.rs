@@ -30,7 +30,8 @@ fn color<S: Narrow>(color: [f64; 3]) -> Rgb<S::Unit> {
 
 /// Returns the reflectance at perpendicular incidence of a material with the index n - i k.
 fn f0([n, k]: [f64; 2]) -> f64 {
-    ((n - 1.0).powi(2) + k * k) / ((n + 1.0).powi(2) + k * k)
+    // Squares of large numbers would be infinite.
+    ((n - 1.0).hypot(k) / (n + 1.0).hypot(k)).powi(2)
 }
 
 /// Returns a metal with the index n - i k.

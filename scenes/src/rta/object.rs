@@ -7,7 +7,7 @@ use super::said::Said;
 use crate::description::{Cone, Cylinder, Detail, Ellipsoid, Plane, Shading, Sphere, Surface, Triangle};
 use crate::error::{Found, SceneError};
 use crate::polygon::{self, MOST_CORNERS, MOST_CROSSINGS, NotCut, Sheet};
-use crate::space::{Triple, cross, difference, unit};
+use crate::space::{Triple, unit};
 
 /// Returns the number of the next object of a list.
 fn next<T>(list: &[T]) -> u32 {
@@ -153,13 +153,11 @@ impl<'a> Reader<'a> {
 
 /// Returns a triangle as a polygon that is cut: as it is, however thin, unless its corners are on one line.
 fn triangle(corners: &[Triple], normals: &[Triple]) -> Result<Sheet, NotCut> {
-    let &[a, b, c] = corners else { return Err(NotCut::Flat) };
-    let sides = unit(difference(b, a)).zip(unit(difference(c, a)));
-    if sides.is_none_or(|(first, second)| cross(first, second) == [0.0; 3]) {
+    let Some(&vertices) = corners.first_chunk().filter(|vertices| !polygon::is_flat(**vertices)) else {
         return Err(NotCut::Flat);
-    }
+    };
     let normals = normals.first_chunk().copied();
-    Ok(Sheet { triangles: vec![([a, b, c], normals)], is_crossed: false })
+    Ok(Sheet { triangles: vec![(vertices, normals)], is_crossed: false })
 }
 
 fn cone(said: &Said<'_>, surface: Surface, color: Triple) -> Result<Cone, SceneError> {

@@ -3,10 +3,11 @@
 use core::f64::consts::PI;
 
 use rta_core::color::Rgb;
-use rta_core::illumination::{Illumination, Rta, Secondary};
+use rta_core::illumination::{Illumination, Newell, NewellRow, Rta, Secondary};
 use rta_core::light::Incident;
 use rta_core::material::Material;
 use rta_core::needs::{Everything, Needs};
+use rta_core::scalar::Exponent;
 use rta_core::surface::Surface;
 use rta_core::trace::Tracer;
 use rta_scenes::description::{self, Description};
@@ -53,6 +54,27 @@ fn a_cutoff_leaves_out_the_faint_rays() {
         let [r, g, b] = read_light::<f64>(tracer.with_cutoff(cutoff).radiance(eye, towards));
         for register in [r, g, b] {
             assert_close!(register, want, 1e-12, "of the sky", "cut off at {cutoff}");
+        }
+    }
+}
+
+#[test]
+fn light_goes_straight_through_both_walls_of_what_is_closed() {
+    let glass = description::Surface::Finish { kd: 0.0, ks: 0.0, exponent: 1.0, kt: 0.6, ior: 1.5 };
+    let walls = ball(glass);
+    let row = NewellRow { has_edge: true, exponent: Exponent::new(2, 0), least: 0.1, most: 0.8 };
+    for height in [0.0, 1.2, 1.9] {
+        let look = |model: Newell<f64>| look(&walls, model, 2, [0.0, -9.0, height], [0.0, 1.0, 0.0]);
+        // N.V of a sphere of radius 2.
+        let cosine = (1.0 - (height / 2.0_f64).powi(2)).sqrt();
+        let edge = 0.1 + 0.7 * (1.0 - (1.0 - cosine).powi(2));
+        let edged = look(Newell { rows: &[row], ..Newell::default() });
+        for (light, part) in look(Newell::default())
+            .into_iter()
+            .map(|light| (light, 0.6))
+            .chain(edged.map(|light| (light, edge)))
+        {
+            assert_close!(light, part * part, 1e-12, "of the sky", "height {height}");
         }
     }
 }

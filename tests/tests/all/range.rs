@@ -66,6 +66,28 @@ fn depths_are_those_of_the_largest_weight() {
 }
 
 #[test]
+fn a_reflectance_is_that_of_the_colour_and_of_its_coefficient() {
+    let scene = |kd: f64| Description {
+        ambient: [1.0; 3],
+        spheres: mirrors(1.5)
+            .spheres
+            .into_iter()
+            .map(|sphere| Sphere { surface: finish(kd), ..sphere })
+            .collect(),
+        ..mirrors(1.5)
+    };
+    let drawn = |kd| render(&scene(kd), &settings(Format::Q16));
+    assert!(drawn(1.3).is_ok(), "1.5 times 1.3 fits");
+    let refused = drawn(1.4).expect_err("1.5 times 1.4 is more than 2").to_string();
+    assert!(refused.starts_with("sphere 1 ") && refused.contains("reflectance 2.1"), "{refused}");
+}
+
+/// Returns a diffuse surface.
+const fn finish(kd: f64) -> Surface {
+    Surface::Finish { kd, ks: 0.0, exponent: 1.0, kt: 0.0, ior: 1.0 }
+}
+
+#[test]
 fn the_height_at_which_cylinders_end_is_a_row() {
     let row = |scene: &Description| {
         let narrowed = narrow::<Q16>(scene, 1.0).expect("it fits");

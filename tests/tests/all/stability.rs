@@ -6,11 +6,12 @@ use std::thread;
 
 use rta::stability::measure::Outcome;
 use rta::stability::{FORMATS, Row, cases, rows, table};
+use rta_scenes::model::Model;
 
 /// Rays from the eye of each case, and half as many points that are looked at for acne.
 const RAYS: usize = 2000;
 
-/// The rows of the suite, traced once for both tests.
+/// The rows of the suite, traced once for all tests.
 static SUITE: LazyLock<Vec<Row>> = LazyLock::new(|| {
     let cases = cases::all();
     let suite = |cases| rows(cases, RAYS, |_| ()).expect("nothing interrupts it");
@@ -65,10 +66,25 @@ fn errors_are_small_where_the_case_is_no_cliff() {
         "coincident triangles, mirrors",
     ];
     let mut seen = 0;
-    for Row { case, format, outcome } in SUITE.iter().filter(|row| smooth.contains(&row.case)) {
+    for Row { case, format, outcome } in SUITE.iter().filter(|row| smooth.contains(&row.case.as_str())) {
         let Outcome::Traced(measured) = outcome else { panic!("{case} is refused in {format}") };
         assert!(measured.p99 < 0.02 && measured.wrong == 0, "{case}, {format}: {measured:?}");
         seen += 1;
     }
     assert_eq!(seen, smooth.len() * FORMATS.len());
+}
+
+#[test]
+fn models_agree_with_f64_at_the_ends_of_their_parameters() {
+    let ends = ["m = .01", "n = 1000", "k = 1", "A = 2^-31", "F0 = .999"];
+    for model in Model::ALL {
+        let of_model = |row: &&Row| ends.iter().any(|end| row.case == format!("{model}, {end}"));
+        let rows: Vec<_> = SUITE.iter().filter(of_model).collect();
+        assert_eq!(rows.len(), ends.len() * FORMATS.len(), "{model}");
+        for Row { case, format, outcome } in rows {
+            let Outcome::Traced(measured) = outcome else { panic!("{case} is refused in {format}") };
+            assert!(measured.median < 0.01 && measured.p99 < 0.1, "{case}, {format}: {measured:?}");
+            assert!(measured.wrong == 0, "{case}, {format}: {measured:?}");
+        }
+    }
 }

@@ -36,6 +36,13 @@ pub enum Aim {
     Axis,
     /// At the narrower end of the first cone: 1e-3 down to 1e-9 beside the direction.
     Apex,
+    /// At the places of the first convex object, a sphere, where its normal is halfway between the directions to the first lamp and
+    /// to the eye: 0.3 down to 1e-9 beside them.
+    Glint,
+    /// At the border between light and dark of the first convex object, under the first lamp.
+    Border,
+    /// At the first lamp: 0.1 down to 1e-9 beside its direction.
+    Lamp,
     /// At the first triangle: at its edges, from a tenth of its width down to 1e-9 of it on either side.
     Edge,
     /// From inside the first convex object, whose index of refraction is given: the sine of the angle that the ray meets
@@ -105,6 +112,25 @@ impl Aim {
                 };
                 let most = if matches!(self, Self::Axis) { -0.5 } else { -3.0 };
                 Drawn::Along(unit(add(way, across(way, rng), magnitude(rng, -9.0, most))))
+            }
+            Self::Glint | Self::Border | Self::Lamp => {
+                let eye = scene.camera.eye;
+                let Some(lamp) = scene.lamps.first().map(|lamp| lamp.position) else {
+                    return Drawn::Along(sphere(rng));
+                };
+                let place = match (self, Body::all(scene).next()) {
+                    (Self::Glint, Some(body)) => {
+                        let facet = body.mirror(eye, lamp);
+                        Some(body.surface(unit(add(facet, across(facet, rng), magnitude(rng, -9.0, -0.5)))))
+                    }
+                    (Self::Border, Some(body)) => body.border(lamp, rng),
+                    _ => {
+                        let way = unit(add(lamp, eye, -1.0));
+                        let aside = magnitude(rng, -9.0, -1.0);
+                        return Drawn::Along(unit(add(way, across(way, rng), aside)));
+                    }
+                };
+                Drawn::Along(place.map_or_else(|| sphere(rng), |place| unit(add(place, eye, -1.0))))
             }
             Self::Edge => {
                 let Some(triangle) = scene.triangles.first() else { return Drawn::Along(sphere(rng)) };

@@ -47,6 +47,17 @@ impl Body {
         }
     }
 
+    /// Returns the normal of a sphere where it is halfway between the directions to two places, which are farther away than its
+    /// radius.
+    #[must_use]
+    pub fn mirror(&self, one: Triple, other: Triple) -> Triple {
+        // Each step comes nearer by the radius over the distance.
+        (0..64).fold([0.0, 0.0, 1.0], |normal, _| {
+            let place = self.surface(normal);
+            unit(add(unit(add(one, place, -1.0)), unit(add(other, place, -1.0)), 1.0))
+        })
+    }
+
     /// Returns whether a place is within the object.
     #[must_use]
     pub fn holds(&self, place: Triple) -> bool {

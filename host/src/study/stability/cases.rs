@@ -3,15 +3,18 @@
 use rta_scenes::description::{
     Camera, Cone, Cylinder, Description, Ellipsoid, FallOff, Floor, Lamp, Sky, Sphere, Surface, Triangle,
 };
+use rta_scenes::model::Model;
 
 use super::aim::{Aim, Stand};
 use super::triple::Triple;
+
+mod models;
 
 /// One case.
 #[derive(Clone, Debug)]
 pub struct Case {
     /// Its name in the table.
-    pub name: &'static str,
+    pub name: String,
     /// The scene.
     pub scene: Description,
     /// Recursion depth.
@@ -20,9 +23,18 @@ pub struct Case {
     pub stand: Stand,
     /// The directions of the rays.
     pub aim: Aim,
-    /// The number of rays that was asked for is divided by this, where each ray from the eye casts very many others.
+    /// The illumination models; the rays take turns between them.
+    pub models: &'static [Model],
+    /// Whether its convex objects are searched for acne, which needs to be done once for each scene.
+    pub acne: bool,
+    /// The number of rays that was asked for is divided by this, where each ray from the eye casts very many others, or where
+    /// there are many such cases.
     pub thinning: usize,
 }
+
+/// The models of all cases that are not about a model: one with attenuated lamps and weights of three registers, one with halfway
+/// vectors and powers of cosines. No other is added, so that the tables of all versions can be compared.
+const BOTH: &[Model] = &[Model::Rta, Model::Whitted];
 
 const GREY: Triple = [0.7, 0.6, 0.5];
 const MILKY: Triple = [0.95, 0.95, 0.9];
@@ -125,7 +137,8 @@ pub fn all() -> Vec<Case> {
     let sky = |distance: f64| empty([0.0; 3], [0.0, distance, 0.0]).lamp([-3.0, -3.0, 3.0], 40.0, 0.0);
     let mut cases = Vec::new();
     let mut add = |name, stand, aim, depth, scene| {
-        cases.push(Case { name, scene, depth, stand, aim, thinning: 1 });
+        let name = String::from(name);
+        cases.push(Case { name, scene, depth, stand, aim, models: BOTH, acne: true, thinning: 1 });
     };
     let still = Stand::Shaken(0.01);
     let stir = Stand::Shaken(0.5);
@@ -276,5 +289,6 @@ pub fn all() -> Vec<Case> {
             _ => 1,
         };
     }
+    cases.extend(models::all());
     cases
 }

@@ -1,6 +1,6 @@
 //! Numbers rounded to a format and read back as `f64`, so that the reference computes with the very numbers of the format.
 
-use rta_scenes::description::{Description, Surface};
+use rta_scenes::description::{Description, Material, Surface};
 use rta_scenes::narrow::Narrow;
 
 /// The scene with each number rounded to what `S` makes of it. What is beyond the range of the format stays as it is, so
@@ -23,15 +23,24 @@ pub fn rounded<S: Narrow>(scene: &Description) -> Description {
             *value = S::unit_to_f64(S::unit(*value));
         }
     };
+    let index = |index: &mut f64| {
+        let mut eta = if *index > 1.0 { 1.0 / *index } else { *index };
+        unit(&mut eta);
+        *index = if *index > 1.0 { 1.0 / eta } else { eta };
+    };
     let surface = |surface: &mut Surface| {
         if let Surface::Transparent { ks, kt, ior } = surface {
             unit(ks);
             unit(kt);
-            let mut eta = if *ior > 1.0 { 1.0 / *ior } else { *ior };
-            unit(&mut eta);
-            *ior = if *ior > 1.0 { 1.0 / eta } else { eta };
+            index(ior);
         }
     };
+    for material in &mut scene.materials {
+        let Material { ambient, diffuse, back, specular, transmit, mirror, metal, .. } = material;
+        let shares = [ambient, diffuse, back, specular, transmit, mirror];
+        shares.into_iter().flatten().chain(metal.iter_mut().flatten()).for_each(unit);
+        material.index.iter_mut().for_each(index);
+    }
     scene.camera.eye.iter_mut().for_each(length);
     for cylinder in &mut scene.cylinders {
         cylinder.position.iter_mut().for_each(length);

@@ -3,7 +3,6 @@
 use fastrand::Rng;
 use rta_core::Scalar;
 use rta_core::color::Rgb;
-use rta_core::illumination::{Rta, Whitted};
 use rta_core::needs::Everything;
 use rta_core::range::Admitted;
 use rta_core::trace::Tracer;
@@ -12,6 +11,7 @@ use rta_packets::tally::Tally;
 use rta_scenes::description::Description;
 use rta_scenes::in_format;
 use rta_scenes::narrow::{Narrow, Narrowed, narrow};
+use rta_scenes::shading::{AnyModel, any_model};
 
 use super::acne;
 use super::aim::Drawn;
@@ -53,7 +53,9 @@ fn measured<S: Narrow>(case: &Case, samples: usize) -> Outcome {
         left -= count;
     }
     measured.spread(&mut errors);
-    acne::search::<S>(case, samples / 2, &mut rng, &mut measured);
+    if case.acne {
+        acne::search::<S>(case, samples / 2, &mut rng, &mut measured);
+    }
     Outcome::Traced(measured)
 }
 
@@ -70,13 +72,12 @@ fn block<S: Narrow>(
     let (tested, exact) = (narrow::<S>(&given, 1.0)?, narrow::<f64>(&given, 1.0)?);
     let (mut rays, mut unused) = (Tally::default(), Tally::default());
     let admitted = (tested.scene().admit(&tested.camera)?, exact.scene().admit(&exact.camera)?);
-    let tested = Side::new(&tested, &admitted.0, case.depth)?;
-    let exact = Side::new(&exact, &admitted.1, case.depth)?;
+    let tested = Side::new(case, &given, &tested, &admitted.0)?;
+    let exact = Side::new(case, &given, &exact, &admitted.1)?;
     for i in 0..count {
         let (direction, twin) = directions::<S>(case.aim.draw(scene, rng), &tested, &exact);
-        // The two models take turns.
-        let traced = guarded(|| (tested.object(direction), tested.light(direction, i % 2 == 0, &mut rays)));
-        let expected = guarded(|| (exact.object(twin), exact.light(twin, i % 2 == 0, &mut unused)));
+        let traced = guarded(|| (tested.object(direction), tested.light(direction, i, &mut rays)));
+        let expected = guarded(|| (exact.object(twin), exact.light(twin, i, &mut unused)));
         match (traced, expected) {
             (Ok((object, light)), Ok((twin_object, expected))) => {
                 match difference(light.map(single::<S>), expected.map(single::<f64>)) {
@@ -118,23 +119,26 @@ fn difference(got: Rgb<f32>, want: Rgb<f32>) -> Option<f64> {
     Some(levels.r?.max(levels.g?).max(levels.b?))
 }
 
-/// A scene in one format with a tracer for each of the two models (see [`stability`](super)).
+/// A tracer in one format, for any illumination model.
+type AnyTracer<'a, S> = Tracer<'a, S, AnyModel<S>, Everything, { MAX_DEPTH as usize }>;
+
+/// A scene in one format with a tracer for each of the models that take turns (see [`stability`](super)).
 struct Side<'a, S: Scalar> {
     scene: &'a Narrowed<S>,
     admitted: &'a Admitted<'a, S>,
-    rta: Tracer<'a, S, Rta, Everything, { MAX_DEPTH as usize }>,
-    whitted: Tracer<'a, S, Whitted<S>, Everything, { MAX_DEPTH as usize }>,
+    tracers: Vec<AnyTracer<'a, S>>,
 }
 
 impl<'a, S: Narrow> Side<'a, S> {
     fn new(
+        case: &Case,
+        described: &Description,
         scene: &'a Narrowed<S>,
         admitted: &'a Admitted<'a, S>,
-        depth: u32,
     ) -> Result<Self, rta_core::Error> {
-        let rta = Tracer::new(admitted, Rta, depth)?;
-        let whitted = Tracer::new(admitted, Whitted::default(), depth)?;
-        Ok(Self { scene, admitted, rta, whitted })
+        let model = |&model| any_model(model, &described.air, scene, admitted);
+        let tracers = case.models.iter().map(|name| Tracer::new(admitted, model(name), case.depth));
+        Ok(Self { scene, admitted, tracers: tracers.collect::<Result<_, _>>()? })
     }
 
     fn object(&self, direction: UnitVec3<S>) -> Option<rta_core::scene::Object> {
@@ -142,12 +146,9 @@ impl<'a, S: Narrow> Side<'a, S> {
         self.admitted.closest::<Everything>(&ray).map(|hit| hit.object)
     }
 
-    fn light(&self, direction: UnitVec3<S>, rta: bool, tally: &mut Tally) -> Rgb<S::Light> {
-        let eye = self.scene.camera.eye;
-        if rta {
-            self.rta.trace(eye, direction, &mut (), tally)
-        } else {
-            self.whitted.trace(eye, direction, &mut (), tally)
-        }
+    /// Returns the light of ray number `turn`, by the model whose turn it is.
+    fn light(&self, direction: UnitVec3<S>, turn: usize, tally: &mut Tally) -> Rgb<S::Light> {
+        let tracer = self.tracers.iter().cycle().nth(turn % self.tracers.len().max(1));
+        tracer.map_or(Rgb::BLACK, |tracer| tracer.trace(self.scene.camera.eye, direction, &mut (), tally))
     }
 }

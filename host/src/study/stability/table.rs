@@ -52,7 +52,7 @@ fn line(row: &Row) -> (String, String, Result<[String; 10], String>) {
         Outcome::Traced(measured) => Ok(cells(measured)),
         Outcome::Refused(reason) => Err(format!("refused: {reason}")),
     };
-    (row.case.to_owned(), row.format.to_string(), cells)
+    (row.case.clone(), row.format.to_string(), cells)
 }
 
 /// Returns the table as text with aligned columns.
@@ -140,8 +140,8 @@ mod tests {
         let measured = Measured { worst: 0.25, wrong: 3, samples: 10, rays: 12, ..Measured::default() };
         let refused = Outcome::Refused("too far".into());
         [
-            Row { case: "a sphere", format: Format::Q16, outcome: Outcome::Traced(measured) },
-            Row { case: "far", format: Format::Q20, outcome: refused },
+            Row { case: "a sphere".into(), format: Format::Q16, outcome: Outcome::Traced(measured) },
+            Row { case: "far".into(), format: Format::Q20, outcome: refused },
         ]
     }
 
