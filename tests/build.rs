@@ -4,7 +4,7 @@
 use core::error::Error;
 use std::env;
 use std::fs;
-use std::path::Path;
+use std::path::PathBuf;
 
 use rta_scenes::bake::{Format, Model, Recipe, bake, module};
 
@@ -38,7 +38,52 @@ fn main() -> Result<(), Box<dyn Error>> {
         write(&format!("kinds_{suffix}"), "scenes/kinds.nff", &recipe)?;
         write(&format!("balls_2_{suffix}"), "../scenes/balls2.nff", &recipe)?;
     }
-    write("glass_2_f64", "../scenes/glass-2.dat", &Recipe::new(Format::F64))
+    write("glass_2_f64", "../scenes/glass-2.dat", &Recipe::new(Format::F64))?;
+    write_drawn()
+}
+
+/// What else than its name a model is drawn with: its options, and air.
+const CHOICES: [&str; 17] = [
+    "bouknight mach 1",
+    "bouknight p 1.7",
+    "romney p 7",
+    "newell edge 3 .1 .9",
+    "blinn-full power 30",
+    "blinn-full gauss 4",
+    "blinn-full trowbridge .9",
+    "blinn-full gloss 15",
+    "cook-torrance sancer",
+    "cook-torrance exact",
+    "cook-torrance published mirror .5 gloss 12",
+    "cook-torrance sancer exact published",
+    "hall-greenberg cutoff .2",
+    "lambert\nattenuation haze 5 20",
+    "blinn\nattenuation romney 2\nmedium extinction .1 .1 .12  albedo 0",
+    "whitted\nmedium extinction .1 .1 .12  albedo .8  anisotropy .3  shadows 16",
+    "kay-greenberg\nattenuation warnock from 6\nmedium extinction .05  albedo .5",
+];
+
+/// Bakes the scene `models.rta` with every model, and with each choice, and writes the tests of `tests/all/drawn.rs`.
+fn write_drawn() -> Result<(), Box<dyn Error>> {
+    const FILE: &str = "scenes/models.rta";
+    println!("cargo::rerun-if-changed={FILE}");
+    let scene = fs::read_to_string(FILE)?;
+    let names = Model::ALL.iter().map(|model| model.name());
+    let mut tests = String::new();
+    for (number, choice) in names.chain(CHOICES).enumerate() {
+        let text = format!("{scene}model {choice}\n");
+        let name = format!("drawn_{number}");
+        let read = rta_scenes::read(text.as_bytes(), "models.rta")?;
+        let recipe = Recipe { model: read.model, ..Recipe::new(Format::Q16) };
+        fs::write(out()?.join(&name).with_extension("rs"), module(&read, &name, &recipe)?)?;
+        tests += &format!("drawn! {{ {name}: {text:?} }}\n");
+    }
+    Ok(fs::write(out()?.join("drawn.rs"), tests)?)
+}
+
+/// Returns the folder of what is baked.
+fn out() -> Result<PathBuf, env::VarError> {
+    env::var("OUT_DIR").map(PathBuf::from)
 }
 
 /// Bakes the scene `file` into `name`.rs.
@@ -46,6 +91,6 @@ fn write(name: &str, file: &str, recipe: &Recipe) -> Result<(), Box<dyn Error>> 
     println!("cargo::rerun-if-changed={file}");
     let text = fs::read(file)?;
     let source = module(&rta_scenes::read(&text, file)?, name, recipe)?;
-    fs::write(Path::new(&env::var("OUT_DIR")?).join(name).with_extension("rs"), source)?;
+    fs::write(out()?.join(name).with_extension("rs"), source)?;
     Ok(())
 }

@@ -3,6 +3,7 @@
 use core::fmt::Write;
 
 use super::builtin;
+use super::models;
 use super::statements;
 use super::table::{Kind, Need, Part, Statement, Value};
 use crate::numbers::Range;
@@ -71,6 +72,11 @@ fn part(part: &Part, indent: usize, text: &mut String) {
         if part.default.is_empty() { String::new() } else { format!("; otherwise {}", part.default) };
     let about = format!("{}{range}{need}{default}", part.about);
     let _ = writeln!(text, "{:indent$}{usage:26}  {about}", "");
+    if part.values.iter().any(|Value(_, kind)| matches!(kind, Kind::Options)) {
+        for line in models::lines() {
+            let _ = writeln!(text, "{:indent$}    {line}", "");
+        }
+    }
     for tail in part.tail {
         self::part(tail, indent + 4, text);
     }

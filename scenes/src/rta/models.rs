@@ -31,6 +31,17 @@ const OPTIONS: &[(&str, &[Choice])] = &[
     ("hall-greenberg", &[("cutoff", &[Range::Share])]),
 ];
 
+/// Returns a line for each model that has options: its name, and each option with what the numbers that may follow it may be.
+pub(super) fn lines() -> impl Iterator<Item = String> {
+    let option = |(name, ranges): &Choice| {
+        let ranges = ranges.iter().map(|range| format!(" [{}]", range.to_string().replace("a number ", "")));
+        ranges.fold((*name).to_owned(), |line, range| line + &range)
+    };
+    OPTIONS
+        .iter()
+        .map(move |(name, own)| format!("{name}: {}", own.iter().map(option).collect::<Vec<_>>().join(", ")))
+}
+
 /// Reads the name of a model.
 pub(super) fn model(said: &Said<'_>) -> Result<Model, SceneError> {
     let (name, place) = said.part("").map_or(("", said.place), |part| part.word(0));

@@ -73,7 +73,7 @@ baked! {
 }
 
 /// A small raster on the screen of 4 : 3 that the scenes are baked for.
-const SMALL: Settings = Settings {
+pub(super) const SMALL: Settings = Settings {
     width: 64,
     height: 40,
     aspect: 4.0 / 3.0,
@@ -115,13 +115,13 @@ fn is_scene<S: Narrow, N: Needs>(
 }
 
 /// A picture as the bits of its light, and as levels of a VGA.
-type Picture = (Vec<[u32; 3]>, Vec<Rgb<u8>>);
+pub(super) type Picture = (Vec<[u32; 3]>, Vec<Rgb<u8>>);
 
 fn bits(light: Rgb<f32>) -> [u32; 3] {
     [light.r, light.g, light.b].map(f32::to_bits)
 }
 
-fn draw<S: Narrow, M: Illumination<S>, N: Needs>(
+pub(super) fn draw<S: Narrow, M: Illumination<S>, N: Needs>(
     scene: &Admitted<'_, S, impl Accelerator<S>>,
     camera: &Camera<S>,
     model: M,
@@ -137,7 +137,7 @@ fn draw<S: Narrow, M: Illumination<S>, N: Needs>(
     (linear, light.iter().map(|light| light.levels(63)).collect())
 }
 
-fn by_engine(scene: &Description, settings: &Settings) -> Picture {
+pub(super) fn by_engine(scene: &Description, settings: &Settings) -> Picture {
     let engine = Engine::new(scene, settings).expect("it was baked");
     let pixels = settings.width as usize * settings.height as usize;
     let (mut linear, mut levels) = (vec![Rgb::new(0.0, 0.0, 0.0); pixels], vec![Rgb::new(0, 0, 0); pixels]);
