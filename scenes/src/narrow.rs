@@ -26,6 +26,7 @@ use check::Checker;
 pub use check::exponent;
 pub use error::NarrowError;
 use materials::Materials;
+pub(crate) use materials::finishes;
 
 /// A number format that descriptions can be narrowed to.
 pub trait Narrow: Scalar {

@@ -19,7 +19,7 @@ use rta_core::surface::Surface;
 use rta_core::trace::decision::direct;
 use rta_core::vector::Vec3;
 
-use crate::description::Air;
+use crate::description::{Air, Material};
 use crate::model::Model;
 use crate::narrow::air::{Layers, layers};
 use crate::narrow::{Narrow, Narrowed};
@@ -80,7 +80,7 @@ pub fn any_model<S: Narrow, A: Accelerator<S>>(
 ) -> AnyModel<S> {
     let middle = middle(scene, admitted);
     let air = layers(air, middle, &scene.sky, scene.ambient);
-    Through { model: in_model!(model, model => owned(model.focused(middle), scene)), air }
+    Through { model: in_model!(model, model => owned(model.focused(middle), &scene.said)), air }
 }
 
 /// Returns the length of the ray in the middle of the picture, 1 if it meets nothing.
@@ -90,8 +90,13 @@ pub fn middle<S: Narrow, A: Accelerator<S>>(scene: &Narrowed<S>, admitted: &Admi
     admitted.closest::<Everything>(&ray).map_or_else(|| S::length(1.0), |hit| hit.distance)
 }
 
-fn owned<S: Narrow, M: Tabled<S> + 'static>(model: M, scene: &Narrowed<S>) -> Shaded<S> {
-    let rows = scene.said.iter().map(|material| model.row(material)).collect();
+/// Returns a model with its rows of materials, without a scene.
+pub(crate) fn shaded<S: Narrow>(model: Model, said: &[Material]) -> Shaded<S> {
+    in_model!(model, model => owned(model, said))
+}
+
+fn owned<S: Narrow, M: Tabled<S> + 'static>(model: M, said: &[Material]) -> Shaded<S> {
+    let rows = said.iter().map(|material| model.row(material)).collect();
     Shaded(Arc::new(Owned { model, rows }))
 }
 
