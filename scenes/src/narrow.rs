@@ -217,6 +217,7 @@ pub fn narrow<S: Narrow>(description: &Description, aspect: f64) -> Result<Narro
             let [even, odd] = floor.colors;
             Some(Floor {
                 colors: [check.color("a colour's register", even)?, check.color("a colour's register", odd)?],
+                tile: description.details.tile.map(|side| check.side(side)).transpose()?,
                 material: materials.number(&check, &floor.surface)?,
             })
         }

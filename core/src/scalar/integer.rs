@@ -202,6 +202,11 @@ pub fn odd_third(value: i64) -> bool {
     (rest & 1 == 1) != (value & 1 == 1)
 }
 
+/// Returns whether `floor(value / part)` is odd, exactly; false where `part` is 0.
+pub fn odd_part(value: i64, part: i32) -> bool {
+    value.checked_div_euclid(part.into()).is_some_and(|parts| parts & 1 == 1)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -241,6 +246,7 @@ mod tests {
     fn odd_thirds() {
         for value in words().map(u64::cast_signed).chain(-1000..1000) {
             assert_eq!(odd_third(value), value.div_euclid(3) & 1 == 1, "{value}");
+            assert_eq!(odd_third(value), odd_part(value, 3), "{value}");
         }
     }
 

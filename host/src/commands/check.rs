@@ -7,8 +7,8 @@ use rta_scenes::description::Description;
 use rta_scenes::unused::{Unused, unused};
 
 use crate::args::CheckArgs;
-use crate::engine::{Format, Model};
 use crate::engine::admission::{Verdict, verdict};
+use crate::engine::{Format, Model};
 use crate::error::Error;
 use crate::picture::output::print;
 use crate::request::fit::Fit;

@@ -159,12 +159,7 @@ const ONCE: &[Statement] = &[
         "The chequered floor z = 0",
         &[
             must("", COLORS, "the tile that begins at the origin, and its neighbours"),
-            may(
-                "tile",
-                &[V("tile", Number(Positive))],
-                "side of a tile; others than 3 are kept, not drawn yet",
-            )
-            .default("3"),
+            may("tile", &[V("tile", Number(Positive))], "side of a tile").default("3"),
             OF,
         ],
     ),
