@@ -1,5 +1,5 @@
 //! Tools of the tests that span several crates: independent renderers ([`oracle`]), generated scenes
-//! ([`random_scenes`]), golden pictures ([`golden`]), comparison of pictures ([`picture`], [`agreement`],
+//! ([`random_scenes`]), golden pictures ([`golden`]), the scenes of a page ([`scene_page`]), comparison of pictures ([`picture`], [`agreement`],
 //! [`exact`]), and the boards under emulation ([`boards`]).
 
 pub mod agreement;
@@ -11,6 +11,7 @@ pub mod measure;
 pub mod oracle;
 pub mod picture;
 pub mod random_scenes;
+pub mod scene_page;
 
 /// The code of the README, compiled and run.
 #[cfg(doctest)]
