@@ -108,7 +108,7 @@ macro_rules! fixed_point {
             fn odd_tile(self, tile: Option<Self>) -> bool {
                 match tile {
                     None => integer::odd_third(i64::from(self.to_bits() >> $bits)),
-                    Some(tile) => integer::odd_part(self.to_bits().into(), tile.to_bits()),
+                    Some(tile) => integer::odd_part(self.to_bits().into(), tile.to_bits().unsigned_abs()),
                 }
             }
             fn odd_far_tile(self, slope: I2F30, height: Self, fall: I2F30, tile: Option<Self>) -> bool {
@@ -120,7 +120,7 @@ macro_rules! fixed_point {
                 let place = i64::from(self.to_bits()) + offset;
                 match tile {
                     None => integer::odd_third(place >> $bits),
-                    Some(tile) => integer::odd_part(place, tile.to_bits()),
+                    Some(tile) => integer::odd_part(place, tile.to_bits().unsigned_abs()),
                 }
             }
             fn power(mantissa: u32, exponent: i16) -> Magnitude {
