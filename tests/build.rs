@@ -31,6 +31,9 @@ fn main() -> Result<(), Box<dyn Error>> {
         "../scenes/hall-22.dat",
         &Recipe { model: Model::Whitted, ..Recipe::new(Format::Q16) },
     )?;
+    for (suffix, format) in [("q16", Format::Q16), ("f32", Format::F32)] {
+        write(&format!("tiles_{suffix}"), "scenes/tiles.rta", &Recipe::new(format))?;
+    }
     // Triangles, cones, and a hierarchy, which is baked only where there are many objects.
     for (suffix, format) in [("q16", Format::Q16), ("f32", Format::F32)] {
         let recipe = Recipe { model: Model::Whitted, ..Recipe::new(format) };

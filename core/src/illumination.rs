@@ -73,7 +73,7 @@ models! { ($)
     rta: Rta = "rta" { year: "1990", author: "Graham; thesis", formula: "kd ((Nz + 1.5) .4 Ia C + sum S ((1 - B) N.L E C + B I)) + ks C Ir + kt It", rays: "reflected ks C, refracted kt", about: "The thesis's: Whitted's with attenuated lamps and cut-out highlights" };
     whitted: Whitted = "whitted" { year: "1980", author: "Whitted", formula: "ka C Ia + sum S I (kd C N.L + ks (N.H)^n) + ks Ir + kt It", rays: "reflected ks, refracted kt", about: "Lamps are not attenuated, highlights are powers of a cosine" };
     phong: Phong = "phong" { year: "1975", author: "Phong", formula: "ka C Ia + sum S I (kd C N.L + ks (R.L)^n) + ks Ir + kt It", rays: "reflected ks, refracted kt", about: "With Whitted's rays, the model of NFF: highlights are around the reflected ray" };
-    lambert: Lambert = "lambert" { year: "1760", author: "Lambert", formula: "C Ia + sum S E C N.L", rays: "none", about: "Every surface is diffuse, no ray is reflected or transmitted" };
+    lambert: Lambert = "lambert" { year: "1760", author: "Lambert", formula: "ka C Ia + sum S E kd C N.L + sum' S E kdt C (-N.L)", rays: "none", about: "Every surface is diffuse, no ray is reflected or transmitted" };
     flat: Flat = "flat" { year: "", author: "", formula: "C", rays: "none", about: "Every surface shows its colour, without lamps" };
     bouknight: Bouknight = "bouknight" { year: "1970", author: "Bouknight", formula: "C (ka Ia + kd sum S I (N.L)^1.25)", rays: "none", about: "Diffuse surfaces without a Mach band at the edge of a shadow" };
     romney: Romney = "romney" { year: "1970", author: "Romney", formula: "C (N.V)^2 min(1, d0/d)^4", rays: "none", about: "The only lamp is in the eye" };

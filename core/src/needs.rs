@@ -61,6 +61,8 @@ needs! {
     CYLINDERS cylinders,
     /// The chequered floor.
     FLOOR floor,
+    /// A floor whose tiles do not have 3 x 3 units.
+    TILES tiles,
     /// A sky whose zenith differs from its horizon.
     SKY_GRADIENT sky_gradient,
     /// Lamps with a radius, which a ray can see.

@@ -115,10 +115,11 @@ pub trait Scalar: Number + PartialOrd + Add<Output = Self> + Sub<Output = Self> 
         self
     }
 
-    /// Returns whether a coordinate lies in an odd tile of the floor: whether `floor(self / 3)` is odd.
-    fn odd_tile(self) -> bool;
+    /// Returns whether a coordinate lies in an odd tile of the floor: whether `floor(self / tile)` is odd. `tile` is the side of a tile,
+    /// above 0; `None` is 3, which takes no division in fixed point.
+    fn odd_tile(self, tile: Option<Self>) -> bool;
     /// Returns whether the coordinate `self + slope * height / fall`, which may exceed [`Scalar::FAR`], lies in an odd tile.
-    fn odd_far_tile(self, slope: Self::Unit, height: Self, fall: Self::Unit) -> bool;
+    fn odd_far_tile(self, slope: Self::Unit, height: Self, fall: Self::Unit, tile: Option<Self>) -> bool;
 
     /// Returns the intensity `mantissa * 2^exponent`.
     fn power(mantissa: u32, exponent: i16) -> Self::Power;

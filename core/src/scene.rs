@@ -228,6 +228,7 @@ impl<'a, S: Scalar> Scene<'a, S> {
         let sky = Sky { horizon: light(75, 82, 95), zenith: light(10, 22, 60) };
         let floor = Floor {
             colors: [Rgb::new(unit(85), unit(85), unit(80)), Rgb::new(unit(15), unit(17), unit(25))],
+            tile: None,
             material: PLAIN,
         };
         Scene { floor: Some(floor), ..Scene::empty(sky, light(30, 30, 32)) }

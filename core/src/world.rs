@@ -58,7 +58,7 @@ impl<'a, S: Scalar> World<'a, S> {
         }
         let found = hit.and_then(|Hit { distance, object }| match object {
             Object::Floor if N::FLOOR => self.scene.floor.as_ref().map(|floor| {
-                let (point, color) = floor.point(ray, distance, self.limits.floor_end);
+                let (point, color) = floor.point::<N>(ray, distance, self.limits.floor_end);
                 (point, color, floor.material, S::ZERO, None)
             }),
             _ => self.scene.point::<N>(object, ray, distance).map(|(point, look)| {

@@ -220,7 +220,7 @@ pub struct Lamp {
     pub line: u32,
 }
 
-/// The floor z = 0 with tiles of 3 x 3 units.
+/// The floor z = 0 with square tiles, of the side [`Details::tile`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct Floor {
     /// Colours, linear RGB, each at least 0: of the tile that begins at the origin, and of its neighbours.

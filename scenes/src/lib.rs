@@ -46,6 +46,7 @@ pub mod shading;
 pub mod shipped;
 pub mod space;
 mod tokens;
+pub mod unused;
 pub mod used;
 pub mod warning;
 

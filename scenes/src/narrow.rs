@@ -3,14 +3,13 @@
 use rta_core::Scalar;
 use rta_core::camera::{Camera, Lens};
 use rta_core::color::Rgb;
-use rta_core::illumination::table::Tabled;
 use rta_core::light::Lamp;
 use rta_core::material::Material;
 use rta_core::scene::{Scene, Sky};
 use rta_core::shape::{Cone, Cylinder, Ellipsoid, Floor, Plane, Sphere, Triangle};
 use rta_core::vector::Vector;
 
-use crate::description::{self, Description, Model, Side};
+use crate::description::{self, Description, Side};
 use crate::space::{cross, unit};
 
 pub mod air;
@@ -29,6 +28,7 @@ use check::Checker;
 pub use check::exponent;
 pub use error::NarrowError;
 use materials::Materials;
+pub(crate) use materials::finishes;
 use variant::Options;
 
 /// A number format that descriptions can be narrowed to.
@@ -112,13 +112,6 @@ impl<S: Scalar> Narrowed<S> {
             sky: self.sky,
             ambient: self.ambient,
         }
-    }
-}
-
-impl<S: Narrow> Narrowed<S> {
-    /// Returns the rows that a model needs of the materials, in their order. `core` is the core's model of `model`.
-    pub fn rows<M: Tabled<S>>(&self, model: Model, core: &M) -> Vec<M::Row> {
-        self.said.iter().map(|material| core.row(&*self.options.said(model, material))).collect()
     }
 }
 
@@ -229,6 +222,7 @@ pub fn narrow<S: Narrow>(description: &Description, aspect: f64) -> Result<Narro
             let [even, odd] = floor.colors;
             Some(Floor {
                 colors: [check.color("a colour's register", even)?, check.color("a colour's register", odd)?],
+                tile: description.details.tile.map(|side| check.side(side)).transpose()?,
                 material: materials.number(&check, &floor.surface)?,
             })
         }

@@ -19,10 +19,10 @@ use rta_core::surface::Surface;
 use rta_core::trace::decision::direct;
 use rta_core::vector::Vec3;
 
-use crate::description::Air;
+use crate::description::{Air, Material};
 use crate::model::Model;
 use crate::narrow::air::{Layers, layers};
-use crate::narrow::variant::{Source, Visitor};
+use crate::narrow::variant::{Options, Source, Visitor};
 use crate::narrow::{Narrow, Narrowed};
 
 /// Returns the part of the light of a lamp that reaches a place: see [`Illumination::along`].
@@ -86,8 +86,7 @@ pub fn any_model<S: Narrow, A: Accelerator<S>>(
 ) -> AnyModel<S> {
     let middle = middle(scene, admitted);
     let air = layers(air, (middle, model.is_attenuated()), &scene.sky, scene.ambient);
-    let chosen = Chosen { model, middle, scene };
-    Through { model: scene.options.with_model(model, chosen), air }
+    Through { model: shaded(model, middle, &scene.said, &scene.options), air }
 }
 
 /// Returns the length of the ray in the middle of the picture, 1 if it meets nothing.
@@ -97,11 +96,17 @@ pub fn middle<S: Narrow, A: Accelerator<S>>(scene: &Narrowed<S>, admitted: &Admi
     admitted.closest::<Everything>(&ray).map_or_else(|| S::length(1.0), |hit| hit.distance)
 }
 
-/// A model that is to be made ready for a scene, with the length of the ray in the middle of the picture.
-struct Chosen<'a, S: Scalar> {
+/// Returns a model with its options and its rows of materials, for a picture in whose middle a ray is so long.
+pub(crate) fn shaded<S: Narrow>(model: Model, middle: S, said: &[Material], options: &Options) -> Shaded<S> {
+    options.with_model(model, Chosen { model, middle, said, options })
+}
+
+/// A model that is to be made ready.
+struct Chosen<'a, S> {
     model: Model,
     middle: S,
-    scene: &'a Narrowed<S>,
+    said: &'a [Material],
+    options: &'a Options,
 }
 
 impl<S: Narrow> Visitor<S> for Chosen<'_, S> {
@@ -109,7 +114,7 @@ impl<S: Narrow> Visitor<S> for Chosen<'_, S> {
 
     fn visit<M: Tabled<S> + 'static>(self, model: M, _source: Source<S>) -> Shaded<S> {
         let model = model.focused(self.middle);
-        let rows = self.scene.rows(self.model, &model);
+        let rows = self.options.rows(self.model, &model, self.said);
         Shaded(Arc::new(Owned { model, rows }))
     }
 }

@@ -26,6 +26,7 @@ pub fn by<S: Scalar>(scene: &Scene<S>, specular: bool) -> Used {
         }
     });
     used.floor = scene.floor.is_some();
+    used.tiles = scene.floor.is_some_and(|floor| floor.tile.is_some());
     used.sky_gradient = scene.sky.horizon != scene.sky.zenith;
     used.visible_lamps = scene.lamps.iter().any(|lamp| lamp.radius > S::ZERO);
     used.mirror = used.glass || mirror || (specular && shiny);

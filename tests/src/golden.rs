@@ -119,12 +119,22 @@ pub fn draw(name: &str, device: Device) -> Result<Displayed, Error> {
 /// the message says where and by how much they differ.
 pub fn check(name: &str, picture: &Displayed) {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("golden").join(format!("{name}.png"));
+    check_file(&path, "format q16, model rta, depth 5, adaptive colour table", picture);
+}
+
+/// Compares a picture with the one in a file, or records it there if `RTA_BLESS` is set. The caption that a recorded picture gets
+/// says with which `settings` it was drawn.
+///
+/// # Panics
+/// As [`check`].
+pub fn check_file(path: &Path, settings: &str, picture: &Displayed) {
+    let name = path.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
     if std::env::var_os("RTA_BLESS").is_some_and(|value| !value.is_empty() && value != "0") {
-        write(&path, picture);
+        write(path, settings, picture);
         return;
     }
     let got = Indexed::of(picture);
-    let golden = File::open(&path)
+    let golden = File::open(path)
         .map_err(Into::into)
         .and_then(|file| Indexed::read(BufReader::new(file)))
         .unwrap_or_else(|error| panic!("{}: {error}", path.display()));
@@ -132,7 +142,7 @@ pub fn check(name: &str, picture: &Displayed) {
         return;
     }
     let (shown, difference) = (output(&format!("{name}.png")), output(&format!("{name}-difference.png")));
-    write(&shown, picture);
+    write(&shown, settings, picture);
     let far = |a: Rgb<u8>, b: Rgb<u8>| a.zip(b, u8::abs_diff);
     let apart: Vec<_> = got.colors().into_iter().zip(golden.colors()).map(|(a, b)| far(a, b)).collect();
     let pixels = if got.indices.len() == golden.indices.len() {
@@ -142,7 +152,7 @@ pub fn check(name: &str, picture: &Displayed) {
             pixels: Pixels::Direct(apart.iter().map(|d| d.map(seen)).collect()),
             ..picture.clone()
         };
-        write(&difference, &picture);
+        write(&difference, settings, &picture);
         format!(
             "{} pixels of {} in another index, {} in another colour, by {} of 255 at most; {}",
             got.indices.iter().zip(&golden.indices).filter(|(a, b)| a != b).count(),
@@ -169,11 +179,11 @@ fn output(name: &str) -> PathBuf {
 }
 
 /// Writes a picture as a PNG with a caption, and makes its folder.
-fn write(path: &Path, picture: &Displayed) {
+fn write(path: &Path, settings: &str, picture: &Displayed) {
     let mut content = Vec::new();
     let caption = rta::picture::Caption {
         title: path.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default(),
-        settings: "format q16, model rta, depth 5, adaptive colour table".into(),
+        settings: settings.into(),
     };
     picture.write_png(&caption, &mut content).expect("memory takes it");
     let folder = path.parent().expect("a file in a folder");

@@ -19,7 +19,7 @@ type Color = [f64; 3];
 const AMBIENT: (f64, f64) = (1.5, 0.4);
 /// Half of a highlight's opening angle, in degrees.
 const HIGHLIGHT_DEGREES: f64 = 13.0;
-/// Side of a floor tile, in units of length.
+/// Side of a floor tile where a scene says nothing else, in units of length.
 const TILE: f64 = 3.0;
 /// A hit that is nearer than this share of the scene's size is taken for the surface that the ray leaves.
 const SELF_HIT: f64 = 1e-10;
@@ -221,7 +221,8 @@ impl<'a> Oracle<'a> {
             && nearer(t, &nearest)
         {
             let [x, y, _] = sum([origin, scale(t, direction)]);
-            let even = ((x / TILE).floor() + (y / TILE).floor()).rem_euclid(2.0) == 0.0;
+            let tile = self.scene.details.tile.unwrap_or(TILE);
+            let even = ((x / tile).floor() + (y / tile).floor()).rem_euclid(2.0) == 0.0;
             let color = if even { floor.colors[0] } else { floor.colors[1] };
             let surface = Some(Surface::Opaque);
             nearest = Some(Hit { t, point: [x, y, 0.0], outward: [0.0, 0.0, 1.0], color, surface });

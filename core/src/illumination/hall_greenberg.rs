@@ -60,8 +60,6 @@ pub struct HallGreenbergRow<S: Scalar> {
     pub reflection: Reflection<S>,
     /// -log2 of what is left of light inside after a length of 1, 0 or more.
     pub density: Rgb<PositiveOf<S>>,
-    /// Whether it is a wall, through which light goes straight on.
-    pub is_thin: bool,
 }
 
 impl<S: Scalar> Row<S> for HallGreenbergRow<S> {
@@ -72,7 +70,6 @@ impl<S: Scalar> Row<S> for HallGreenbergRow<S> {
         see("exponent", Value::Exponent(self.exponent));
         see("reflection", Value::Reflection(self.reflection));
         see("density", Value::Positives(self.density));
-        see("is_thin", Value::Flag(self.is_thin));
     }
 }
 
@@ -95,7 +92,6 @@ impl<S: Scalar> Tabled<S> for HallGreenberg<'_, S> {
             exponent: material.exponent().unwrap_or(Exponent::new(50, 0)),
             reflection: Reflection::of(material),
             density: material.absorption().unwrap_or(Rgb::new(none, none, none)),
-            is_thin: material.is_thin(),
         }
     }
 
@@ -123,7 +119,7 @@ impl<S: Scalar> HallGreenberg<'_, S> {
         let (zero, one) = (S::Unit::ZERO, S::Unit::ONE);
         let (light, view) = (incident.direction, -surface.incoming);
         let Reflection { q, denser, .. } = row.reflection;
-        let (cosine, incidence) = if row.is_thin || q >= one {
+        let (cosine, incidence) = if row.reflection.is_thin || q >= one {
             (-light.dot(view), -incident.cosine)
         } else {
             let facet = refracting(light, view, q, denser);
@@ -188,7 +184,7 @@ impl<S: Scalar> Illumination<S> for HallGreenberg<'_, S> {
         Secondary {
             reflected: Some(reflected).filter(|weight| asked(*weight)),
             transmitted: Some(transmitted).filter(|weight| asked(*weight)),
-            bend: if row.is_thin { Bend::Straight } else { Bend::Refracted },
+            bend: if row.reflection.is_thin { Bend::Straight } else { Bend::Refracted },
         }
     }
 

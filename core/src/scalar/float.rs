@@ -181,8 +181,8 @@ macro_rules! float {
             }
             #[cfg_attr(target_os = "none", inline(never))] // four places ask
             #[allow(clippy::cast_possible_truncation, clippy::cast_precision_loss)] // within its digits
-            fn odd_tile(self) -> bool {
-                let tile = self / 3.0;
+            fn odd_tile(self, tile: Option<Self>) -> bool {
+                let tile = self / tile.unwrap_or(3.0);
                 // Beyond twice its digits a float is an even number.
                 if tile.abs() >= 4.0 / <$f>::EPSILON {
                     return false;
@@ -191,8 +191,8 @@ macro_rules! float {
                 let floor = cut - $int::from(cut as $f > tile);
                 floor & 1 == 1
             }
-            fn odd_far_tile(self, slope: Self, height: Self, fall: Self) -> bool {
-                (self + slope * (height / fall)).odd_tile()
+            fn odd_far_tile(self, slope: Self, height: Self, fall: Self, tile: Option<Self>) -> bool {
+                (self + slope * (height / fall)).odd_tile(tile)
             }
             fn power(mantissa: u32, exponent: i16) -> Self {
                 let step: $f = if exponent < 0 { 0.5 } else { 2.0 };

@@ -202,6 +202,18 @@ pub fn odd_third(value: i64) -> bool {
     (rest & 1 == 1) != (value & 1 == 1)
 }
 
+/// Returns whether `floor(value / part)` is odd, without a division: exactly where the quotient is below 2^29, and beyond for a value
+/// that differs by up to 2^-29 of it. A `part` of 0 counts as 1.
+pub fn odd_part(value: i64, part: u32) -> bool {
+    let cut = (65 - value.unsigned_abs().leading_zeros()).saturating_sub(32).min(32);
+    let quotient = Reciprocal::of(part).times((value >> cut) as i32);
+    // Rounding may be one off, which the rest tells.
+    let parts = (quotient << 2) >> (32 - cut);
+    let part = i64::from(part);
+    let rest = value.wrapping_sub(parts.wrapping_mul(part));
+    (parts & 1 == 1) != (rest < 0 || rest >= part)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -241,6 +253,20 @@ mod tests {
     fn odd_thirds() {
         for value in words().map(u64::cast_signed).chain(-1000..1000) {
             assert_eq!(odd_third(value), value.div_euclid(3) & 1 == 1, "{value}");
+        }
+    }
+
+    #[test]
+    fn odd_parts() {
+        for (value, part) in words().map(u64::cast_signed).zip(words().skip(500).map(|word| word as u32 >> 1))
+        {
+            let exact = value.checked_div_euclid(part.into()).unwrap_or_default();
+            for value in [value, exact.wrapping_mul(part.into())] {
+                if exact.abs() < 1 << 29 && part > 0 {
+                    let odd = value.div_euclid(part.into()) & 1 == 1;
+                    assert_eq!(odd_part(value, part), odd, "{value} / {part}");
+                }
+            }
         }
     }
 

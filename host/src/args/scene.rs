@@ -47,6 +47,9 @@ pub struct CheckArgs {
     /// Number format
     #[arg(short, long, value_parser = choice::format(), ignore_case = true, default_value_t = Format::Q16)]
     pub format: Format,
+    /// Illumination model, of which is told what it does not use of the materials [default: the scene's]
+    #[arg(short, long, value_parser = choice::model(), ignore_case = true)]
+    pub model: Option<Model>,
     /// Shape of the screen
     #[arg(long, value_name = "RATIO", default_value = "4:3")]
     pub aspect: Aspect,

@@ -3,10 +3,12 @@
 use rta_core::range::{Bound, Cause};
 use rta_core::scalar::Magnitude;
 use rta_core::scene::Object;
+use rta_scenes::description::Description;
+use rta_scenes::unused::{Unused, unused};
 
 use crate::args::CheckArgs;
-use crate::engine::Format;
 use crate::engine::admission::{Verdict, verdict};
+use crate::engine::{Format, Model};
 use crate::error::Error;
 use crate::picture::output::print;
 use crate::request::fit::Fit;
@@ -19,16 +21,26 @@ use crate::request::scene_file::SceneFile;
 pub fn run(args: &CheckArgs) -> Result<(), Error> {
     let scene = SceneFile::open_as(&args.scene, args.reading.into())?;
     let aspect = args.aspect.ratio();
-    let fit = Fit { format: args.format, aspect, model: None, depth: 0, asked: args.fit };
+    let fit = Fit { format: args.format, aspect, model: args.model, depth: 0, asked: args.fit };
     let description = fit.scaled(&scene);
     let Verdict { rows, refused } = verdict(&description, args.format, aspect);
     print(&table(&scene.title, args.format, &rows), &scene.inputs)?;
+    print(&spare(&scene.description, args.model.unwrap_or(scene.description.model)), &scene.inputs)?;
     let Some(reason) = refused else {
         fit.advise(&scene);
         let line = format!("{} is admitted to {}\n", scene.title, args.format);
         return Ok(print(&line, &scene.inputs)?);
     };
     Err(fit.refused(&scene, reason).into())
+}
+
+/// Returns a line for each material that states what the model does not use.
+fn spare(scene: &Description, model: Model) -> String {
+    let line = |Unused { material, line, properties }: Unused| {
+        let defined = if line == 0 { String::new() } else { format!(" (line {line})") };
+        format!("{model} does not use of the material {material}{defined}: {}\n", properties.join(", "))
+    };
+    unused(scene, model).into_iter().map(line).collect()
 }
 
 fn value(size: Magnitude) -> f64 {

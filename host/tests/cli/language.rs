@@ -80,3 +80,21 @@ fn the_language_is_told() {
     assert_eq!(help, rta_scenes::rta::help());
     assert!(folder.prints(&["help", "convert"]).contains("rta help scene"));
 }
+
+#[test]
+fn what_the_model_does_not_use_is_told() {
+    let folder = Folder::new();
+    folder.scene(
+        "own.rta",
+        FIRST.to_owned() + "material own like bottle  gloss 3\nsphere at 0 3 1 radius 1 of own\n",
+    );
+    let told = folder.prints(&["check", "own.rta", "--model", "whitted"]);
+    assert!(told.contains("\nwhitted does not use of the material own (line 9): absorb\n"), "{told}");
+    let told = folder.prints(&["check", "own.rta", "--model", "hall-greenberg"]);
+    assert!(!told.contains("does not use"), "{told}");
+    // The model of the scene itself.
+    folder.scene("flat.rta", FIRST.to_owned() + "model flat\n");
+    assert!(
+        folder.prints(&["check", "flat.rta"]).contains("flat does not use of the material crown: index\n")
+    );
+}

@@ -55,7 +55,11 @@ impl<S: Literal> Visitor<S> for Baked<'_, S> {
     fn visit<M: Tabled<S> + 'static>(self, model: M, Source { text, argument }: Source<S>) -> String {
         let argument = argument.map_or_else(String::new, |value| format!("({})", literal(value)));
         let focused = format!("Tabled::<Number>::focused({text}{argument}, {})", length(self.middle));
-        let rows = if M::Row::NAME.is_empty() { Vec::new() } else { self.scene.rows(self.model, &model) };
+        let rows = if M::Row::NAME.is_empty() {
+            Vec::new()
+        } else {
+            self.scene.options.rows(self.model, &model, &self.scene.said)
+        };
         let rows: Vec<_> = rows.iter().map(row).collect();
         format!("Tabled::<Number>::over(&{focused}, const {{ &[{}] }})", rows.join(", "))
     }
@@ -93,10 +97,13 @@ fn literal<S: Literal>(value: Value<S>) -> String {
     }
 }
 
-fn reflection<S: Literal>(Reflection { f0, q, denser, is_metal, is_tinted }: Reflection<S>) -> String {
+fn reflection<S: Literal>(
+    Reflection { f0, q, denser, is_metal, is_thin, is_tinted }: Reflection<S>,
+) -> String {
     let (f0, q) = (color::<S>(f0), unit::<S>(q));
     format!(
-        "{PATH}::table::Reflection {{ f0: {f0}, q: {q}, denser: {denser}, is_metal: {is_metal}, is_tinted: {is_tinted} }}"
+        "{PATH}::table::Reflection {{ f0: {f0}, q: {q}, denser: {denser}, is_metal: {is_metal}, \
+         is_thin: {is_thin}, is_tinted: {is_tinted} }}"
     )
 }
 

@@ -63,9 +63,10 @@ pub(super) fn write<S: Literal>(
         Some(floor) => {
             let [even, odd] = floor.colors;
             let (even, odd) = (color::<S>(even), color::<S>(odd));
+            let tile = floor.tile.map_or_else(|| "None".into(), |side| format!("Some({})", length(side)));
             writeln!(
                 out,
-                "            floor: Some(::rta_core::shape::Floor {{ colors: [{even}, {odd}], material: {} }}),",
+                "            floor: Some(::rta_core::shape::Floor {{ colors: [{even}, {odd}], tile: {tile}, material: {} }}),",
                 floor.material
             )?;
         }

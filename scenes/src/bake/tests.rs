@@ -57,6 +57,7 @@ fn a_scene_needs_what_is_in_it_and_no_more() {
                 "NORMALS",
                 "PLANES",
                 "CYLINDERS",
+                "TILES",
                 "GLASS",
                 "FINISH",
                 "SEVERAL_LAMPS",
@@ -71,6 +72,7 @@ fn a_scene_needs_what_is_in_it_and_no_more() {
                 "TRIANGLES",
                 "NORMALS",
                 "PLANES",
+                "TILES",
                 "GLASS",
                 "FINISH",
                 "SEVERAL_FALL_OFFS",
@@ -86,6 +88,7 @@ fn a_scene_needs_what_is_in_it_and_no_more() {
                 "NORMALS",
                 "PLANES",
                 "CYLINDERS",
+                "TILES",
                 "FINISH",
                 "SEVERAL_FALL_OFFS",
             ],
@@ -94,7 +97,7 @@ fn a_scene_needs_what_is_in_it_and_no_more() {
         for format in [Format::F32, Format::F64, Format::Q16, Format::Q20] {
             let source = source(&read(text), &Recipe::new(format));
             assert_eq!(needs(&source, false), without);
-            assert_eq!(needs(&source, true).len() + without.len(), 20);
+            assert_eq!(needs(&source, true).len() + without.len(), 21);
         }
     }
 }
@@ -112,6 +115,7 @@ fn the_model_decides_what_is_needed() {
             "NORMALS",
             "PLANES",
             "CYLINDERS",
+            "TILES",
             "FINISH",
             "ATTENUATION",
             "SEVERAL_FALL_OFFS"

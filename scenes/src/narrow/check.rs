@@ -58,6 +58,14 @@ impl<S: Narrow> Checker<S> {
         self.at_most("the radius", radius, S::largest()).map(S::length)
     }
 
+    /// The side of a tile. It is at least as large as a radius: what is smaller is a grey at any distance.
+    pub(super) fn side(&self, side: f64) -> Result<S, NarrowError> {
+        if side < S::SMALLEST_RADIUS {
+            return Err(self.error("the side of a tile", side, S::SMALLEST_RADIUS));
+        }
+        self.at_most("the side of a tile", side, S::largest()).map(S::length)
+    }
+
     pub(super) fn color(&self, quantity: &'static str, color: [f64; 3]) -> Result<Rgb<S::Unit>, NarrowError> {
         for register in color {
             self.at_most(quantity, register, S::LARGEST_COLOR)?;

@@ -44,6 +44,14 @@ impl<'a, S: Narrow> Materials<'a, S> {
     }
 }
 
+/// Returns what the tracer must know of materials, in their order.
+///
+/// # Errors
+/// A coefficient that the format cannot hold.
+pub(crate) fn finishes<S: Narrow>(said: &[description::Material]) -> Result<Vec<Material<S>>, NarrowError> {
+    said.iter().map(|said| narrow(&Checker::named("a material"), said)).collect()
+}
+
 /// Returns numbers that differ for different surfaces.
 fn key(surface: &Surface) -> [u64; 6] {
     match *surface {

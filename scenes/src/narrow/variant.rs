@@ -121,6 +121,16 @@ impl Options {
         }
     }
 
+    /// Returns the rows that a model needs of materials, in their order. `core` is the core's model of `model`.
+    pub(crate) fn rows<S: Narrow, M: Tabled<S>>(
+        &self,
+        model: Model,
+        core: &M,
+        said: &[Material],
+    ) -> Vec<M::Row> {
+        said.iter().map(|material| core.row(&*self.said(model, material))).collect()
+    }
+
     /// Returns a material as a model takes it: what it does not say is as the options have it.
     #[must_use]
     pub fn said<'m>(&self, model: Model, material: &'m Material) -> Cow<'m, Material> {

@@ -172,8 +172,7 @@ pub(super) fn material(name: &str) -> Option<Material> {
                 sellmeier(offset, terms.iter().map(|[b, c]| [*b, c * c]).collect())
             }
         };
-        let (index, absorb) = (Some(*index), Some([1.0; 3]));
-        return Some(Material { index, absorb, dispersion, ..of_kind(Kind::Glass) });
+        return Some(Material { index: Some(*index), dispersion, ..of_kind(Kind::Glass) });
     }
     if let Some((_, left)) = TINTED.iter().find(|(own, _)| *own == name) {
         let (index, absorb) = (Some(TINTED_INDEX), Some(*left));

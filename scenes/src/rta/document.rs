@@ -74,7 +74,7 @@ fn part(part: &Part, indent: usize, text: &mut String) {
     let _ = writeln!(text, "{:indent$}{usage:26}  {about}", "");
     if part.values.iter().any(|Value(_, kind)| matches!(kind, Kind::Options)) {
         for line in models::lines() {
-            let _ = writeln!(text, "{:indent$}    {line}", "");
+            let _ = writeln!(text, "{:indent$}    - {line}", "");
         }
     }
     for tail in part.tail {

@@ -120,7 +120,7 @@ const ONCE: &[Statement] = &[
     once(
         "medium",
         "medium",
-        "What the scene is filled with; it absorbs and scatters ambient light, light of lamps is not drawn yet",
+        "What the scene is filled with: it absorbs light and scatters that of lamps and ambient light",
         &[
             must("extinction", &[V("extinction", Spectrum(NotNegative))], "per unit of length"),
             may("albedo", &[V("albedo", Share)], "part of it that is scattered").default("1"),
@@ -159,12 +159,7 @@ const ONCE: &[Statement] = &[
         "The chequered floor z = 0",
         &[
             must("", COLORS, "the tile that begins at the origin, and its neighbours"),
-            may(
-                "tile",
-                &[V("tile", Number(Positive))],
-                "side of a tile; others than 3 are kept, not drawn yet",
-            )
-            .default("3"),
+            may("tile", &[V("tile", Number(Positive))], "side of a tile").default("3"),
             OF,
         ],
     ),

@@ -208,11 +208,7 @@ impl<'a> Reader<'a> {
             Some(of) => self.refer(said, of)?,
             None => Surface::Opaque,
         };
-        let tile = said.number("tile").filter(|tile| *tile != 3.0);
-        if tile.is_some() {
-            self.undrawn("tiles that are not 3 units", said.place.0);
-        }
-        self.scene.details.tile = tile;
+        self.scene.details.tile = said.number("tile").filter(|tile| *tile != 3.0);
         self.scene.floor = Some(Floor { colors, surface });
         Ok(())
     }

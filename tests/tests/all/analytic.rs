@@ -75,7 +75,7 @@ fn lamp<S: Measure>(position: [f64; 3], radius: f64, intensity: [f64; 3]) -> Lam
 }
 
 fn floor<S: Measure>(even: [f64; 3], odd: [f64; 3]) -> Floor<S> {
-    Floor { colors: [color::<S>(even), color::<S>(odd)], material: PLAIN }
+    Floor { colors: [color::<S>(even), color::<S>(odd)], tile: None, material: PLAIN }
 }
 
 fn glass<S: Measure>(ks: f64, ior: f64) -> Glass<S> {

@@ -64,6 +64,8 @@ baked! {
     glass_2_f64: "../scenes/glass-2.dat", F64, Rta, Rta;
     opaque_q16: "boards/scenes/opaque.dat", Q16, Rta, Rta;
     whitted_q16: "../scenes/hall-22.dat", Q16, Whitted, Whitted::default();
+    tiles_q16: "scenes/tiles.rta", Q16, Rta, Rta;
+    tiles_f32: "scenes/tiles.rta", F32, Rta, Rta;
     solids_q16: "scenes/solids.nff", Q16, Phong, Phong::default();
     solids_f32: "scenes/solids.nff", F32, Phong, Phong::default();
     kinds_q16: "scenes/kinds.nff", Q16, Phong, Phong::default();

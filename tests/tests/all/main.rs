@@ -35,6 +35,7 @@ mod readme;
 mod reductions;
 mod report;
 mod sampling;
+mod scene_page;
 mod single_rays;
 mod solid_cases;
 mod solids;

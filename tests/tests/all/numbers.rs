@@ -144,13 +144,15 @@ fn tiles_far_beyond_the_format_are_those_of_exact_arithmetic() {
         let origin = S::length(dice.f64() * 40.0 - 20.0);
         let height = S::length(spread(dice, 0.1, 50.0));
         let (fall, slope) = (S::unit(spread(dice, 1e-6, 0.1)), S::unit(dice.f64() * 2.0 - 1.0));
-        let exact = |origin: f64, slope: f64, height: f64, fall: f64| (origin + slope * height / fall) / 3.0;
+        let tile = Some(S::length(spread(dice, 0.01, 100.0))).filter(|_| dice.bool());
+        let side = tile.map_or(3.0, S::to_f64);
+        let exact = |origin: f64, slope: f64, height: f64, fall: f64| (origin + slope * height / fall) / side;
         let place = exact(origin.to_f64(), S::unit_to_f64(slope), height.to_f64(), S::unit_to_f64(fall));
         // Rounding is relative to the way: 2^-29 of it and half an LSB.
-        let margin = place.abs() * 4e-9 + 1e-4;
+        let margin = place.abs() * 4e-9 + 3e-4 / side;
         if (place - place.round()).abs() > margin {
             let odd = place.floor().rem_euclid(2.0) == 1.0;
-            assert_eq!(origin.odd_far_tile(slope, height, fall), odd, "{place} tiles away");
+            assert_eq!(origin.odd_far_tile(slope, height, fall, tile), odd, "{place} tiles away");
         }
     }
     let mut dice = Rng::with_seed(5);

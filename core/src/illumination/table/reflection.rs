@@ -29,6 +29,8 @@ pub struct Reflection<S: Scalar> {
     pub denser: bool,
     /// Whether it is a metal.
     pub is_metal: bool,
+    /// Whether it is a thin wall, which has no inside.
+    pub is_thin: bool,
     /// Whether `f0` is the colour of the object, as a mirror's is.
     pub is_tinted: bool,
 }
@@ -59,13 +61,13 @@ impl<S: Scalar> Reflecting<S> for Reflection<S> {
         let grey = root.times(root);
         let f0 = material.reflectance().unwrap_or(Rgb::new(grey, grey, grey));
         let q = if is_metal { inverse_index(mean(f0)) } else { q };
-        Self { f0, q, denser, is_metal, is_tinted }
+        Self { f0, q, denser, is_metal, is_thin: material.is_thin(), is_tinted }
     }
 
     fn at(&self, surface: &Surface<S>, cosine: S::Unit) -> Rgb<S::Unit> {
         let cosine = at_most_one(cosine);
         if !self.is_metal {
-            let part = dielectric(self.q, self.denser != surface.inside, cosine);
+            let part = dielectric(self.q, self.denser != (surface.inside && !self.is_thin), cosine);
             return Rgb::new(part, part, part);
         }
         let f0 = if self.is_tinted { surface.color.map(at_most_one) } else { self.f0 };

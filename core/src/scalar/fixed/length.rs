@@ -105,16 +105,23 @@ macro_rules! fixed_point {
                 let error = Self::from_bits(LEAVE_LSB + (self.to_bits() >> 28));
                 self.saturating_add(Scalar::over(error, cosine))
             }
-            fn odd_tile(self) -> bool {
-                integer::odd_third(i64::from(self.to_bits() >> $bits))
+            fn odd_tile(self, tile: Option<Self>) -> bool {
+                match tile {
+                    None => integer::odd_third(i64::from(self.to_bits() >> $bits)),
+                    Some(tile) => integer::odd_part(self.to_bits().into(), tile.to_bits().unsigned_abs()),
+                }
             }
-            fn odd_far_tile(self, slope: I2F30, height: Self, fall: I2F30) -> bool {
+            fn odd_far_tile(self, slope: I2F30, height: Self, fall: I2F30, tile: Option<Self>) -> bool {
                 let way = Reciprocal::of(fall.to_bits().unsigned_abs()).times(height.to_bits());
                 let slope = i64::from(slope.to_bits());
                 // 32 bits of the way are as many as the fall has.
                 let cut = (64 - way.leading_zeros()).saturating_sub(32);
                 let offset = shift_right((way >> cut) * slope, UNIT_BITS - cut);
-                integer::odd_third((i64::from(self.to_bits()) + offset) >> $bits)
+                let place = i64::from(self.to_bits()) + offset;
+                match tile {
+                    None => integer::odd_third(place >> $bits),
+                    Some(tile) => integer::odd_part(place, tile.to_bits().unsigned_abs()),
+                }
             }
             fn power(mantissa: u32, exponent: i16) -> Magnitude {
                 Magnitude::new(u64::from(mantissa), i32::from(exponent))

@@ -5,7 +5,7 @@ use rta_core::Scalar;
 use rta_core::material::Glass;
 use rta_core::needs::Everything;
 use rta_core::ray::Ray;
-use rta_core::shape::{Primitive, Sphere};
+use rta_core::shape::{Floor, Primitive, Sphere};
 
 use super::vector::{Vec3x4, lane, one_ref, set};
 use crate::leaf::Bits;
@@ -137,19 +137,21 @@ pub(crate) fn through_plane(forward: Vec3, right: Vec3, up: Vec3, x: Vec4, y: Ve
     Vec3x4::select(inverse.cmplt(Vec4::INFINITY), direction, Vec3x4::splat(forward))
 }
 
-/// Which of four coordinates lie in an odd one of the floor's tiles: four times [`Scalar::odd_tile`](rta_core::Scalar::odd_tile).
+/// Which of four coordinates lie in an odd one of the floor's tiles of that side: four times
+/// [`Scalar::odd_tile`](rta_core::Scalar::odd_tile).
 #[inline(always)]
-fn odd_tiles(place: Vec4) -> Vec4 {
-    let tile = (place / Vec4::splat(3.0)).floor();
+fn odd_tiles(place: Vec4, side: Vec4) -> Vec4 {
+    let tile = (place / side).floor();
     tile - (tile * Vec4::splat(0.5)).floor() * Vec4::splat(2.0)
 }
 
 /// The places of a floor at the distances `t` along four rays, none of which is far away, and a bit for each that lies in a
 /// tile of the second colour: four times [`Floor::point`](rta_core::shape::Floor::point).
 #[inline(always)]
-pub(crate) fn on_floor(rays: &Ray4, t: Vec4) -> (Vec3x4, u32) {
+pub(crate) fn on_floor(floor: &Floor<f32>, rays: &Ray4, t: Vec4) -> (Vec3x4, u32) {
+    let side = Vec4::splat(floor.tile.unwrap_or(3.0));
     let Vec3x4([x, y, _]) = rays.origin.plus(rays.direction, t);
-    (Vec3x4([x, y, Vec4::ZERO]), odd_tiles(x).cmpne(odd_tiles(y)).bitmask())
+    (Vec3x4([x, y, Vec4::ZERO]), odd_tiles(x, side).cmpne(odd_tiles(y, side)).bitmask())
 }
 
 /// Four times [`reflect`](rta_core::vector::UnitVector::reflect).

@@ -113,7 +113,7 @@ impl<'a> Surfaces4<'a> {
         t: Vec4,
         which: u32,
     ) {
-        let (point, odd) = on_floor(rays, t);
+        let (point, odd) = on_floor(floor, rays, t);
         self.replace(which, SurfacePoint4 { distance: t, point, normal: Vec3x4::splat(Vec3::Z) }, Vec4::ZERO);
         let [even_color, odd_color] = floor.colors;
         for k in Bits(which) {

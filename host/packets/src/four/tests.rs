@@ -177,24 +177,31 @@ fn triangles() {
 
 #[test]
 fn the_floor() {
-    let floor = Floor { colors: [GREY, GREY.map(|c| 2.0 * c)], material: PLAIN };
+    for tile in [None, Some(0.7), Some(10.0)] {
+        assert!(odd_tiles(tile) > RUNS / 10, "{tile:?}");
+    }
+}
+
+/// Returns how many of many rays see a tile of the second colour.
+fn odd_tiles(tile: Option<f32>) -> u32 {
+    let floor = Floor { colors: [GREY, GREY.map(|c| 2.0 * c)], tile, material: PLAIN };
     let mut odd_tiles = 0;
     often(|random| {
         let rays = random.four(Random::ray);
         let four = together(&rays);
         let found = to_floor(&four);
-        let (points, odd) = on_floor(&four, found.1);
+        let (points, odd) = on_floor(&floor, &four, found.1);
         for (k, ray) in rays.iter().enumerate() {
             let right = floor.intersect(ray);
             assert_eq!(met(found, k), right);
             let Some(t) = right.filter(|&t| t < 1e6) else { continue };
-            let (point, color) = floor.point(ray, t, f32::FAR);
+            let (point, color) = floor.point::<Everything>(ray, t, f32::FAR);
             assert_eq!(points.lane(k), point.point);
             assert_eq!(odd >> k & 1 == 1, color == floor.colors[1], "{}", point.point);
             odd_tiles += odd >> k & 1;
         }
     });
-    assert!(odd_tiles > RUNS / 10);
+    odd_tiles
 }
 
 #[test]

@@ -41,8 +41,10 @@ pub fn scene(scene: &Description, model: Model, depth: u32, aspect: f64) -> Resu
         let [even, odd] = floor.colors.map(vector);
         let ambient = vector(file.ambient);
         // The pattern is of cubes: the plane cuts through their middles.
+        let tile = scene.details.tile.unwrap_or(3.0);
+        let half = tile / 2.0;
         file.line(format_args!(
-            "plane {{ z, 0 pigment {{ checker rgb {even} rgb {odd} scale 3 translate <0, 0, -1.5> }} \
+            "plane {{ z, 0 pigment {{ checker rgb {even} rgb {odd} scale {tile} translate <0, 0, -{half}> }} \
              finish {{ ambient rgb {ambient} diffuse 1 }} }}"
         ));
     }

@@ -98,15 +98,17 @@ impl<S: Format> Scalar for Paired<S> {
         Self { format: self.format.at_one_place(extent.format, cosine.format), twin }
     }
     #[track_caller]
-    fn odd_tile(self) -> bool {
-        let (format, twin) = (self.format.odd_tile(), self.twin.odd_tile());
-        log::decision("odd_tile", self.values(), [3.0, 3.0], format, twin);
+    fn odd_tile(self, tile: Option<Self>) -> bool {
+        let format = self.format.odd_tile(tile.map(|tile| tile.format));
+        let twin = self.twin.odd_tile(tile.map(|tile| tile.twin));
+        log::decision("odd_tile", self.values(), tile.map_or([3.0; 2], |tile| tile.values()), format, twin);
         format
     }
     #[track_caller]
-    fn odd_far_tile(self, slope: Self::Unit, height: Self, fall: Self::Unit) -> bool {
-        let format = self.format.odd_far_tile(slope.format, height.format, fall.format);
-        let twin = self.twin.odd_far_tile(slope.twin, height.twin, fall.twin);
+    fn odd_far_tile(self, slope: Self::Unit, height: Self, fall: Self::Unit, tile: Option<Self>) -> bool {
+        let (format, twin) = (tile.map(|tile| tile.format), tile.map(|tile| tile.twin));
+        let format = self.format.odd_far_tile(slope.format, height.format, fall.format, format);
+        let twin = self.twin.odd_far_tile(slope.twin, height.twin, fall.twin, twin);
         log::decision("odd_far_tile", self.values(), fall.values(), format, twin);
         format
     }

@@ -57,7 +57,7 @@ pub(super) fn all<S: Narrow>() -> Vec<Function> {
         lamp(p, r, d) within NEAR => reflected_lamp::<S>(positive::<S>(1.0), [p, r, d]);
         fade(p, d, d0) within NEAR => unit::<S>(fade(S::length(d), S::length(d0), exponent(p)));
         haze(d, i, t) within NEAR => unit::<S>(haze(S::length(d), S::length(i), S::length(t)));
-        lambert(tl) within NEAR => Lit::<S>::new(tl, 0.0, 0.0).light(&Lambert, 0.0);
+        lambert(tl) within NEAR => Lit::<S>::new(tl, 0.0, 0.0).light(&Lambert::default(), 0.0);
         bouknight(ka, kd, p, tl) within NEAR => {
             let model = Bouknight { ka: S::unit(ka), kd: S::unit(kd), exponent: exponent(p) };
             Lit::<S>::new(tl, 0.0, 0.0).light(&model, 1.0)

@@ -193,31 +193,3 @@ fn the_angle_lies_across_the_longer_side() {
         assert!((camera.focal - 0.5).abs() < 1e-12);
     }
 }
-
-/// The README's scene grows from three lines to twenty; each of its stages is one.
-#[test]
-fn the_scene_of_the_readme_is_one_at_every_stage() {
-    let readme = include_str!("../../../README.md");
-    let page = readme.split("## `.rta`").nth(1).expect("a page about the language");
-    let stages: Vec<_> =
-        page.split("```text\n").skip(1).take(3).filter_map(|text| text.split("```").next()).collect();
-    assert!(stages[0].starts_with("rta 1"));
-    let mut text = String::new();
-    for stage in &stages[..2] {
-        text += stage;
-        assert_eq!(accepted(&text).warnings.is_empty(), text.contains("lamp"), "{text}");
-    }
-    text += stages[2];
-    assert!(
-        super::refused(&text).contains("expected one \"camera\", found a second (the first is in line 2)")
-    );
-    let whole: Vec<_> = text.lines().filter(|line| !line.starts_with("camera  ")).collect();
-    let scene = accepted(&whole.join("\n"));
-    assert_eq!((scene.warnings.as_slice(), whole.len()), (&[][..], 20));
-    for keyword in statements::all().map(|statement| statement.keyword) {
-        assert!(page.contains(&format!("`{keyword}`")), "{keyword}");
-    }
-    for name in builtin::names() {
-        assert!(page.contains(&format!("`{name}`")), "{name}");
-    }
-}

@@ -5,6 +5,7 @@
 use rta_core::illumination::Rta;
 use rta_core::material::Material;
 use rta_core::scene::{Scene, Sky};
+use rta_core::shape::Floor;
 use rta_core::vector::Vector;
 use rta_tests::assert_close;
 use rta_tests::measure::{Measure, direction, light, place, read_direction};
@@ -78,28 +79,36 @@ fn shadow_of_a_sphere<S: Measure>() {
     }
 }
 
-/// Returns the colour of a tile of the floors here: red where it is even, green where it is odd.
-fn tile(x: f64, y: f64) -> [f64; 3] {
+/// Sides of tiles; the first is that of a floor that says nothing.
+const SIDES: [f64; 4] = [3.0, 0.25, 1.0, 7.3];
+
+/// Returns a floor of red and green tiles.
+fn tiled<S: Measure>(side: f64) -> Scene<'static, S> {
+    let tile = Some(S::length(side)).filter(|_| side != 3.0);
+    let floor = Some(Floor { tile, ..floor([1.0, 0.0, 0.0], [0.0, 1.0, 0.0]) });
+    Scene { floor, ambient: light::<S>(WHITE), ..dark::<S>() }
+}
+
+/// Returns the colour of a tile of the floors here, which have this side: red where it is even, green where it is odd.
+fn tile(side: f64, x: f64, y: f64) -> [f64; 3] {
     // From -1 to 1 for an odd sum, whatever its sign.
-    let odd = ((x / 3.0).floor() + (y / 3.0).floor()).rem_euclid(2.0) > 0.5;
+    let odd = ((x / side).floor() + (y / side).floor()).rem_euclid(2.0) > 0.5;
     if odd { [0.0, 1.0, 0.0] } else { [1.0, 0.0, 0.0] }
 }
 
 fn tiles<S: Measure>() {
-    let scene = Scene {
-        floor: Some(floor([1.0, 0.0, 0.0], [0.0, 1.0, 0.0])),
-        ambient: light::<S>(WHITE),
-        ..dark::<S>()
-    };
-    let edges = [-9.0, -6.0, -3.0, 0.0, 3.0, 6.0, 9.0];
-    let places: Vec<f64> = edges.into_iter().flat_map(|e| [e - 0.01, e + 0.01, e + 1.5]).collect();
-    // From below the normal points down, and the ambient term is 0.2.
-    for (eye, ambient) in [([0.3, 0.4, 20.0], 1.0), ([-5.0, 7.0, -11.0], 0.2)] {
-        for &x in &places {
-            for &y in &places {
-                let got = see(scene, Rta, 0, eye, minus([x, y, 0.0], eye));
-                let want = tile(x, y).map(|register| ambient * register);
-                assert_light::<S>(got, want, &format!("at {x}, {y} from {eye:?}"));
+    for side in SIDES {
+        let scene = tiled::<S>(side);
+        let edges = (-3..=3).map(|edge| f64::from(edge) * side);
+        let places: Vec<f64> = edges.flat_map(|e| [e - 0.01, e + 0.01, e + side / 2.0]).collect();
+        // From below the normal points down, and the ambient term is 0.2.
+        for (eye, ambient) in [([0.3, 0.4, 20.0], 1.0), ([-5.0, 7.0, -11.0], 0.2)] {
+            for &x in &places {
+                for &y in &places {
+                    let got = see(scene, Rta, 0, eye, minus([x, y, 0.0], eye));
+                    let want = tile(side, x, y).map(|register| ambient * register);
+                    assert_light::<S>(got, want, &format!("at {x}, {y} from {eye:?}, tiles of {side}"));
+                }
             }
         }
     }
@@ -107,14 +116,10 @@ fn tiles<S: Measure>() {
 
 /// A place has the colour of its tile up to a million units away, which is farther than Q16.16 can hold.
 fn far_floor<S: Measure>() {
-    let scene = Scene {
-        floor: Some(floor([1.0, 0.0, 0.0], [0.0, 1.0, 0.0])),
-        ambient: light::<S>(WHITE),
-        ..dark::<S>()
-    };
     let mut dice = fastrand::Rng::with_seed(3);
     let (mut looked, mut odd) = (0, 0);
-    for _ in 0..2000 {
+    for side in SIDES.into_iter().cycle().take(4000) {
+        let scene = tiled::<S>(side);
         let height = 1.0 + 99.0 * dice.f64();
         let eye = [200.0 * dice.f64() - 100.0, 200.0 * dice.f64() - 100.0, height];
         // From 1000 to 1 000 000 units away.
@@ -129,12 +134,14 @@ fn far_floor<S: Measure>() {
         let target = [from[0] + t * ray[0], from[1] + t * ray[1]];
         // Not where a rounding on the way decides.
         let blur = 0.01 + 4.0 * (t * S::UNIT + S::LENGTH);
-        let edge = |c: f64| (c / 3.0 - (c / 3.0).round()).abs() * 3.0;
+        // A side in the format is rounded too, which adds up over many tiles.
+        let blur = blur + way / side * (S::length(side).to_f64() - side).abs();
+        let edge = |c: f64| (c / side - (c / side).round()).abs() * side;
         if edge(target[0]) < blur || edge(target[1]) < blur {
             continue;
         }
         let got = see(scene, Rta, 0, eye, towards);
-        let want = tile(target[0], target[1]);
+        let want = tile(side, target[0], target[1]);
         assert_light::<S>(got, want, &format!("{t} units away at {target:?}"));
         looked += 1;
         odd += u32::from(want[1] > 0.5);
