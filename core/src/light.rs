@@ -111,30 +111,26 @@ impl<'a, S: Scalar> Incident<'a, S> {
         if self.lamp.is_cut(fades) { S::Light::WHITE } else { self.intensity() }
     }
 
-    /// Returns the light that a surface with the reflectance `reflectance` sends back of the lamp, rounded once; saturates. A lamp
-    /// that fades is a sphere, as in [`Incident::reflected_sphere`]; `fades` is as in [`Incident::light`].
-    pub fn reflected<N: Needs>(&self, reflectance: S::Power, fades: bool) -> S::Light {
-        if N::ATTENUATION && (!N::SEVERAL_FALL_OFFS || self.lamp.fall_off.fades(fades)) {
-            return self.reflected_sphere(reflectance);
-        }
-        let power = self.lamp.power;
-        S::intensity(if self.lamp.is_cut(fades) { reflectance } else { power.times(reflectance) })
-    }
-
-    /// Returns the light that a surface with the reflectance `reflectance` sends back of a spherical lamp, rounded once; saturates.
+    /// Returns the light that a surface with the reflectance `reflectance` of each register sends back of the lamp; saturates. `fades` is
+    /// as in [`Incident::light`].
     ///
-    /// The irradiance is that of a point times 1 to 2: the solid angle of the sphere over `pi (r/d)^2`, which is
+    /// The irradiance of a lamp that fades is that of a point times 1 to 2: the solid angle of the sphere over `pi (r/d)^2`, which is
     /// `2 / (1 + sqrt(1 - (r/d)^2))`. A point within the lamp is taken as one on it.
-    pub fn reflected_sphere(&self, reflectance: S::Power) -> S::Light {
+    pub fn reflected<N: Needs>(&self, reflectance: Rgb<S::Power>, fades: bool) -> Rgb<S::Light> {
         let (one, half) = (S::Unit::ONE, S::Unit::ratio(1, 2));
+        let sent = reflectance.zip(self.lamp.tint, |part, tint| part.times(tint.positive()));
+        if !(N::ATTENUATION && (!N::SEVERAL_FALL_OFFS || self.lamp.fall_off.fades(fades))) {
+            let power = if self.lamp.is_cut(fades) { one.positive() } else { self.lamp.power };
+            return sent.map(|part| S::intensity(part.times(power)));
+        }
         let (inverse, sine) = if self.lamp.radius < self.distance {
             (self.inverse_distance, self.lamp.radius.fraction(self.inverse_distance))
         } else {
             (self.lamp.inverse_radius, one)
         };
         let cosine = S::Unit::radical(one, S::Unit::ZERO, sine).unwrap_or(S::Unit::ZERO);
-        let narrow = (half + cosine.times(half)).positive();
-        S::fall_off(self.lamp.power.times(reflectance).over(narrow), inverse)
+        let power = self.lamp.power.over((half + cosine.times(half)).positive());
+        sent.map(|part| S::fall_off(part.times(power), inverse))
     }
 
     /// Returns the lamp's solid angle as a part of the full sphere (4 pi steradians): `(1 - sqrt(1 - (r/d)^2)) / 2`; 1/2 for a

@@ -168,10 +168,8 @@ impl<S: Scalar, D: Facets<S>> Illumination<S> for BlinnFull<'_, S, D> {
             facet.reflectance(&distribution, &TorranceSparrow, reflected).times(ks.positive())
         });
         let diffuse = kd.times(incident.cosine);
-        surface.color.zip(incident.lamp.tint, |color, tint| {
-            let reflectance = color.times(diffuse).positive().plus(highlight);
-            incident.reflected::<N>(reflectance.times(tint.positive()), false)
-        })
+        incident
+            .reflected::<N>(surface.color.map(|color| color.times(diffuse).positive().plus(highlight)), false)
     }
 
     fn secondary<N: Needs>(&self, surface: &Surface<S>) -> Secondary<S::Unit> {

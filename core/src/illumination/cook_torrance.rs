@@ -200,9 +200,7 @@ impl<S: Scalar, G: Hidden<S::Unit>, F: Reflecting<S>> Illumination<S> for CookTo
         let reflectance = surface
             .color
             .zip(part, |color, part| mixed(share, mirrored.times(part.positive()), color, cosine));
-        reflectance.zip(incident.lamp.tint, |reflectance, tint| {
-            incident.reflected::<N>(reflectance.times(tint.positive()), true)
-        })
+        incident.reflected::<N>(reflectance, true)
     }
 
     fn secondary<N: Needs>(&self, surface: &Surface<S>) -> Secondary<Self::Weight> {

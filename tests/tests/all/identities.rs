@@ -90,7 +90,9 @@ fn a_lamp_lights_by_its_solid_angle() {
             let radius = S::length(radius);
             let lamp = Lamp { radius, inverse_radius: radius.inverse(), ..Point::lamp() };
             let incident = point.incident(&lamp, distance);
-            let light = S::light_to_f64(incident.reflected_sphere(<S as Narrow>::power(1.0)));
+            let one = <S as Narrow>::power(1.0);
+            let light = incident.reflected::<Everything>(Rgb::new(one, one, one), true);
+            let light = S::light_to_f64(light.r);
             // A full sphere is 4 pi; a lamp without size would cover pi q^2.
             let q = radius.to_f64();
             let wanted = 4.0 * unit::<S>(incident.solid_angle()) / (q * q);

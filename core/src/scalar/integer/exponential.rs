@@ -3,6 +3,9 @@
 
 use super::shift_right;
 
+/// 1 in units of 2^-30. The coefficients of series are parts of it that the compiler divides: a division costs code where there is no
+/// instruction for it.
+const ONE: i64 = 1 << 30;
 /// `2^62 ln 2`.
 const LN_2: u64 = 0x2c5c_85fd_f473_de6b;
 /// `2^30 ln 2`.
@@ -62,8 +65,8 @@ pub fn minus_log2(x: u32) -> u32 {
     // m is 2^32 times the cell's middle times 1 + z, |z| at most 1/33; z times 2^36 is below 2^31.
     let z = ((m - ((33 + 2 * cell as i64) << 26)) * at(&RECIPROCALS)) >> 26;
     // ln(1 + z) = z (1 - z (1/2 - z (1/3 - z (1/4 - z / 5)))), the bracket times 2^30; z^6 / 6 is below 1.3e-10.
-    let one = 1i64 << 30;
-    let series = [4, 3, 2, 1].into_iter().fold(one / 5, |rest, n| one / n - ((z * rest) >> 36));
+    let [first, terms @ ..] = const { [ONE / 5, ONE / 4, ONE / 3, ONE / 2, ONE] };
+    let series = terms.into_iter().fold(first, |rest, term| term - ((z * rest) >> 36));
     let log = (((z * series) >> 30) * PER_LN_2) >> 30;
     let whole = (i64::from(zeros) - 2) << 27; // -1 for 2^30 itself, whose mantissa is 1/2
     (whole + shift_right(at(&LOGARITHMS) - log, 9)).max(0) as u32
@@ -76,8 +79,8 @@ pub fn exp2_minus(x: u32) -> u32 {
     // The rest, below 1/16, as a logarithm times 2^34: at most 0.0434.
     let a = (i64::from(x & 0x7f_ffff) * LN_2_30) >> 23;
     // e^-a = 1 - a (1 - a (1/2 - a (1/6 - a / 24))), times 2^30; a^5 / 120 is below 1.3e-9.
-    let one = 1i64 << 30;
-    let series = [6, 2, 1, 1].into_iter().fold(one / 24, |rest, n| one / n - ((a * rest) >> 34));
+    let [first, terms @ ..] = const { [ONE / 24, ONE / 6, ONE / 2, ONE, ONE] };
+    let series = terms.into_iter().fold(first, |rest, term| term - ((a * rest) >> 34));
     shift_right(table * series, 30 + (x >> 27)) as u32
 }
 
@@ -87,14 +90,14 @@ mod tests {
 
     use super::*;
 
-    const ONE: f64 = (1 << 30) as f64;
+    const UNITS: f64 = (1 << 30) as f64;
 
     #[test]
     fn logarithms_are_close() {
         let numbers = (0..200_000u32).map(|i| i.wrapping_mul(0x9e37_79b9) >> 2 >> (i % 30));
         let edges = (0..=30).flat_map(|k| [(1 << k) - 1, 1 << k, (1u32 << k) + 1]);
         for x in numbers.chain(edges).filter(|x| (1..=1 << 30).contains(x)) {
-            let exact = -(f64::from(x) / ONE).log2() * f64::from(1 << 27);
+            let exact = -(f64::from(x) / UNITS).log2() * f64::from(1 << 27);
             let off = f64::from(minus_log2(x)) - exact;
             assert!(off.abs() <= 1.0, "{x}: {off}");
         }
@@ -106,7 +109,7 @@ mod tests {
         let numbers = (0..200_000u32).map(|i| i.wrapping_mul(0x9e37_79b9) >> (i % 32));
         let edges = (0..=31).map(|k| 1u32 << k);
         for x in numbers.chain(edges) {
-            let exact = ONE * (-f64::from(x) / f64::from(1 << 27)).exp2();
+            let exact = UNITS * (-f64::from(x) / f64::from(1 << 27)).exp2();
             let off = f64::from(exp2_minus(x)) - exact;
             assert!(off.abs() <= 3.0, "{x}: {off}");
         }

@@ -120,5 +120,6 @@ pub(super) fn reflected_lamp<S: Narrow>(reflectance: S::Power, [p, r, d]: [f64; 
         cosine: one,
         lamp: &lamp,
     };
-    S::light_to_f64(incident.reflected_sphere(reflectance))
+    let reflectance = Rgb::new(reflectance, reflectance, reflectance);
+    S::light_to_f64(incident.reflected::<Everything>(reflectance, true).r)
 }
