@@ -110,17 +110,18 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Acceler
     ) -> Rgb<S::Light> {
         let mut current = Pending { start: Start { origin, direction }, branch: Branch::eye::<S>() };
         if !N::MIRROR {
-            return self.arrived(&mut current, memory, observer).0;
+            return self.arrived(&mut current, &mut None, memory, observer);
         }
         let mut pending = Stack::<S, M::Weight, STACK>::new();
         let mut light = Rgb::BLACK;
         loop {
-            let (weighted, surface) = self.arrived(&mut current, memory, observer);
+            let mut surface = None;
+            let weighted = self.arrived(&mut current, &mut surface, memory, observer);
             observer.light(weighted);
             light = light.plus(weighted);
-            let next = match surface {
+            let next = match &surface {
                 Some(surface) if current.branch.depth < self.depth => {
-                    self.spawn(&surface, &current, &mut pending, observer)
+                    self.spawn(surface, &current, &mut pending, observer)
                 }
                 _ => None,
             };
@@ -131,17 +132,18 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Acceler
         }
     }
 
-    /// Returns the part of the radiance of one ray, without its secondary rays, that arrives in the pixel, and the surface that the
-    /// ray meets, if any. What is lost on the ray's way is lost to the secondary rays too: the ray's weight is changed.
+    /// Returns the part of the radiance of one ray, without its secondary rays, that arrives in the pixel. `surface` becomes the surface
+    /// that the ray meets, if any. What is lost on the ray's way is lost to the secondary rays too: the ray's weight is changed.
     #[cfg_attr(not(target_os = "none"), inline(always))]
     fn arrived<O: Observer<S> + ?Sized>(
         &self,
         current: &mut Pending<S, M::Weight>,
+        surface: &mut Option<Surface<'a, S>>,
         memory: &mut A::Memory,
         observer: &mut O,
-    ) -> (Rgb<S::Light>, Option<Surface<'_, S>>) {
+    ) -> Rgb<S::Light> {
         let mut length = None;
-        let (own, surface) = self.local(current, &mut length, memory, observer);
+        let own = self.local(current, (&mut length, surface), memory, observer);
         let weight = current.branch.weight;
         if M::ALONG {
             let Pending { start, branch: Branch { kind, .. } } = *current;
@@ -149,11 +151,10 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Acceler
             let lit = |place, lamp| self.reached(place, lamp, memory);
             if let Some(Passage { weight: part, veil }) = self.model.along::<N>(&way, lit) {
                 current.branch.weight = weight.compose(part);
-                let light = current.branch.weight.filter(own).plus(weight.filter(veil));
-                return (light, surface);
+                return current.branch.weight.filter(own).plus(weight.filter(veil));
             }
         }
-        (if N::MIRROR { weight.filter(own) } else { own }, surface)
+        if N::MIRROR { weight.filter(own) } else { own }
     }
 
     /// Returns the part of the light of a lamp, by its number, that reaches a place in the air, 0 to 1.
@@ -166,16 +167,16 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Acceler
         self.scene.accelerator().transmittance::<N>(self.scene, &ray, distance, number, memory)
     }
 
-    /// Returns the radiance of one ray without its secondary rays, and the surface that it meets, if any. `length` becomes the
-    /// length of the ray, if it meets anything and if the model asks for it.
+    /// Returns the radiance of one ray without its secondary rays. `length` becomes the length of the ray, if it meets anything and if the
+    /// model asks for it, and `met` the surface that it meets, if any.
     #[cfg_attr(not(target_os = "none"), inline(always))]
     fn local<O: Observer<S> + ?Sized>(
         &self,
         current: &Pending<S, M::Weight>,
-        length: &mut Option<S>,
+        (length, met): (&mut Option<S>, &mut Option<Surface<'a, S>>),
         memory: &mut A::Memory,
         observer: &mut O,
-    ) -> (Rgb<S::Light>, Option<Surface<'_, S>>) {
+    ) -> Rgb<S::Light> {
         let (scene, branch) = (self.scene, &current.branch);
         observer.ray(branch.kind, branch.depth, &current.start);
         let ray = self.ray(current.start);
@@ -187,25 +188,25 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Acceler
         let surface = match scene.seen::<N>(&ray, hit) {
             Seen::Light(light) => {
                 observer.hit(hit.as_ref(), None);
-                return (light, None);
+                return light;
             }
-            Seen::Surface(surface) => surface,
+            Seen::Surface(surface) => met.insert(surface),
         };
-        observer.hit(hit.as_ref(), Some(&surface));
-        let mut light = self.model.ambient::<N>(&surface, scene.scene.ambient);
-        if N::LAMPS && self.model.is_lit::<N>(&surface) {
+        observer.hit(hit.as_ref(), Some(surface));
+        let mut light = self.model.ambient::<N>(surface, scene.scene.ambient);
+        if N::LAMPS && self.model.is_lit::<N>(surface) {
             let lamps = if N::SEVERAL_LAMPS { scene.scene.lamps.len() } else { 1 };
             for (number, lamp) in scene.scene.lamps.iter().take(lamps).enumerate() {
                 if let Some(incident) = Incident::new(lamp, surface.point, surface.normal) {
-                    let unhidden = direct::<S, M, N>(&self.model, &surface, &incident);
-                    let part = self.unshadowed(&surface, &incident, unhidden, number, memory, observer);
+                    let unhidden = direct::<S, M, N>(&self.model, surface, &incident);
+                    let part = self.unshadowed(surface, &incident, unhidden, number, memory, observer);
                     observer.lamp(number, &incident, unhidden, part);
                     let is_whole = part == S::Unit::ONE;
                     light = light.plus(if is_whole { unhidden } else { unhidden.map(|l| l.times(part)) });
                 }
             }
         }
-        (light, Some(surface))
+        light
     }
 
     fn ray(&self, Start { origin, direction }: Start<S>) -> Ray<S> {
