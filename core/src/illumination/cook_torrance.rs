@@ -194,7 +194,7 @@ impl<S: Scalar, G: Hidden<S::Unit>, F: Reflecting<S>> Illumination<S> for CookTo
             } else {
                 facet.reflectance(&Beckmann(slopes), &passed, one)
             };
-            (mirrored, row.reflection.at(surface, facet.incidence))
+            (mirrored, row.reflection.at(surface.color, surface.inside, facet.incidence))
         });
         let cosine = if is_diffuse { incident.cosine } else { zero };
         let reflectance = surface
@@ -208,7 +208,8 @@ impl<S: Scalar, G: Hidden<S::Unit>, F: Reflecting<S>> Illumination<S> for CookTo
             return Secondary::NONE;
         };
         let cosine = -surface.normal.dot(surface.incoming);
-        let weight = row.reflection.at(surface, cosine).map(|part| part.times(row.mirror));
+        let weight =
+            row.reflection.at(surface.color, surface.inside, cosine).map(|part| part.times(row.mirror));
         Secondary { reflected: Some(weight), ..Secondary::NONE }
     }
 }

@@ -1,6 +1,6 @@
 //! R. A. Hall and D. P. Greenberg, "A Testbed for Realistic Image Synthesis", IEEE CG&A 3 (1983).
 
-use super::microfacet::{Facet, highlight, refracting};
+use super::microfacet::{highlight, refracting};
 use super::table::{Kind, PositiveOf, Properties, Reflecting, Reflection, Row, Tabled, Value};
 use super::{Bend, Illumination, Passage, Secondary, Way, Whitted};
 use crate::color::Rgb;
@@ -105,34 +105,37 @@ impl<S: Scalar> HallGreenberg<'_, S> {
         self.rows.get(usize::from(surface.number))
     }
 
-    /// Returns the highlight of a lamp on the side of the ray, as a reflectance of each register.
-    fn reflected(row: &HallGreenbergRow<S>, surface: &Surface<S>, incident: &Incident<S>) -> Rgb<S::Unit> {
-        let black = Rgb::new(S::Unit::ZERO, S::Unit::ZERO, S::Unit::ZERO);
-        Facet::between::<S>(surface.normal, incident.direction, -surface.incoming).map_or(black, |facet| {
-            let part = row.reflection.at(surface, facet.incidence);
-            part.map(|part| highlight(facet.slope.cosine, row.exponent, part).times(row.specular))
-        })
-    }
-
-    /// Returns the highlight of a lamp outside, on a surface that is seen from inside, as a transmittance of each register.
-    fn refracted(row: &HallGreenbergRow<S>, surface: &Surface<S>, incident: &Incident<S>) -> Rgb<S::Unit> {
+    /// Returns the highlight of a lamp on the side of the ray, or of one outside on a surface that is seen from inside, as a
+    /// reflectance or a transmittance of each register.
+    fn highlight<N: Needs>(
+        row: &HallGreenbergRow<S>,
+        surface: &Surface<S>,
+        incident: &Incident<S>,
+    ) -> Rgb<S::Unit> {
         let (zero, one) = (S::Unit::ZERO, S::Unit::ONE);
         let (light, view) = (incident.direction, -surface.incoming);
-        let Reflection { q, denser, .. } = row.reflection;
-        let (cosine, incidence) = if row.reflection.is_thin || q >= one {
-            (-light.dot(view), -incident.cosine)
-        } else {
-            let facet = refracting(light, view, q, denser);
-            facet.map_or((zero, zero), |facet| (-surface.normal.dot(facet), light.dot(facet)))
-        };
-        if cosine <= zero || incidence <= zero {
+        let is_beyond = incident.cosine <= zero;
+        if is_beyond && !N::GLASS {
             return Rgb::new(zero, zero, zero);
         }
-        let cosine = if cosine > one { one } else { cosine };
-        // As light comes from outside.
-        let outside = Surface { inside: false, ..*surface };
-        let part = row.reflection.at(&outside, incidence);
-        part.map(|part| highlight(cosine, row.exponent, one - part).times(row.transmit))
+        let coefficient = if is_beyond { row.transmit } else { row.specular };
+        let Reflection { q, denser, is_thin, .. } = row.reflection;
+        let (cosine, incidence) = if is_beyond && (is_thin || q >= one) {
+            (-light.dot(view), -incident.cosine)
+        } else {
+            let facet = if is_beyond { refracting(light, view, q, denser) } else { light.halfway(view) };
+            facet.map_or((zero, zero), |facet| {
+                let cosine = surface.normal.dot(facet);
+                (if is_beyond { -cosine } else { cosine }, light.dot(facet))
+            })
+        };
+        if cosine <= zero || incidence <= zero || coefficient <= zero {
+            return Rgb::new(zero, zero, zero);
+        }
+        let shine = highlight(if cosine > one { one } else { cosine }, row.exponent, coefficient);
+        // Light of a lamp beyond comes from outside.
+        let part = row.reflection.at(surface.color, surface.inside && !is_beyond, incidence);
+        part.map(|part| if is_beyond { one - part } else { part }.times(shine))
     }
 }
 
@@ -153,17 +156,10 @@ impl<S: Scalar> Illumination<S> for HallGreenberg<'_, S> {
     fn direct<N: Needs>(&self, surface: &Surface<S>, incident: &Incident<S>) -> Rgb<S::Light> {
         let zero = S::Unit::ZERO;
         let (kd, ..) = self.surface.coefficients::<N>(surface.material, |finish| finish.exponent);
-        let is_outside = incident.cosine <= zero;
-        let diffuse = if is_outside { zero } else { kd.times(incident.cosine) };
-        let shine = self.row_of(surface).map_or(Rgb::new(zero, zero, zero), |row| {
-            if !is_outside {
-                Self::reflected(row, surface, incident)
-            } else if N::GLASS && row.transmit > zero {
-                Self::refracted(row, surface, incident)
-            } else {
-                Rgb::new(zero, zero, zero)
-            }
-        });
+        let diffuse = if incident.cosine <= zero { zero } else { kd.times(incident.cosine) };
+        let row = self.row_of(surface);
+        let shine =
+            row.map_or(Rgb::new(zero, zero, zero), |row| Self::highlight::<N>(row, surface, incident));
         let light = incident.light::<N>(false);
         let light = incident.lamp.tint.map(|tint| light.times(tint));
         let diffuse = light.zip(surface.color, |light, color| light.times(color.times(diffuse)));
@@ -177,7 +173,7 @@ impl<S: Scalar> Illumination<S> for HallGreenberg<'_, S> {
     fn secondary<N: Needs>(&self, surface: &Surface<S>) -> Secondary<Self::Weight> {
         let (zero, one) = (S::Unit::ZERO, S::Unit::ONE);
         let Some(row) = self.row_of(surface) else { return Secondary::NONE };
-        let part = row.reflection.at(surface, -surface.normal.dot(surface.incoming));
+        let part = row.reflection.at(surface.color, surface.inside, -surface.normal.dot(surface.incoming));
         let asked = |weight: Rgb<S::Unit>| [weight.r, weight.g, weight.b].iter().any(|w| *w > zero);
         let reflected = part.map(|part| part.times(row.specular));
         let transmitted = part.map(|part| (one - part).times(row.transmit));

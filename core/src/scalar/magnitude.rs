@@ -200,6 +200,23 @@ mod tests {
     }
 
     #[test]
+    fn quotients_are_rounded_up_exactly() {
+        let mut state = 1u64;
+        let mut number = || {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            state >> 33 | 1 << 31
+        };
+        let ends = [1 << 31, (1 << 31) + 1, (1 << 32) - 1, (1 << 32) - 2];
+        let random = core::iter::repeat_with(|| (number(), number())).take(100_000);
+        for (m, n) in random.chain(ends.into_iter().flat_map(|m| ends.map(|n| (m, n)))) {
+            let want = Magnitude::new((m << 32).div_ceil(n), -32);
+            assert_eq!(Magnitude::new(m, 0).over(Magnitude::new(n, 0)), want, "{m} / {n}");
+        }
+        let none = Magnitude { exponent: 5, mantissa: 0 };
+        assert_eq!(Magnitude::new(3, 0).over(none), Magnitude::new(3, -5), "0 counts as the smallest above 0");
+    }
+
+    #[test]
     fn quotients_that_are_exact_are_not_rounded() {
         for divisor in [1, 3, 32, 12_345] {
             assert_eq!(

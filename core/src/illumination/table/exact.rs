@@ -4,7 +4,6 @@ use super::{Properties, Reflecting, Reflection, Value};
 use crate::color::Rgb;
 use crate::illumination::fresnel::Conductor;
 use crate::scalar::{Scalar, Unit};
-use crate::surface::Surface;
 
 /// The reflectance of a material without an approximation: of a metal by Fresnel's equations for the complex index of refraction of each
 /// register, if that is stated; of all else as [`Reflection`] has it.
@@ -21,11 +20,11 @@ impl<S: Scalar> Reflecting<S> for Exact<S> {
         Self { metal: material.conductor(), plain: Reflection::of(material) }
     }
 
-    fn at(&self, surface: &Surface<S>, cosine: S::Unit) -> Rgb<S::Unit> {
+    fn at(&self, color: Rgb<S::Unit>, inside: bool, cosine: S::Unit) -> Rgb<S::Unit> {
         let cosine = if cosine > S::Unit::ONE { S::Unit::ONE } else { cosine };
         match self.metal {
             Some(metal) => metal.map(|register| register.reflectance(cosine)),
-            None => self.plain.at(surface, cosine),
+            None => self.plain.at(color, inside, cosine),
         }
     }
 

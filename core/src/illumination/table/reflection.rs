@@ -4,14 +4,14 @@ use super::{Kind, Properties, Value};
 use crate::color::Rgb;
 use crate::illumination::fresnel::{Shift, dielectric, inverse_index};
 use crate::scalar::{Positive, Scalar, Unit};
-use crate::surface::Surface;
 
 /// What a material reflects, decided by what a scene says of it.
 pub trait Reflecting<S: Scalar>: Copy + core::fmt::Debug + Send + Sync {
     /// Returns the reflectance of a material; of one that says nothing, as of the index 1.5.
     fn of(material: &impl Properties<S>) -> Self;
-    /// Returns the part of the light that is reflected, 0 to 1, where the ray meets facets at that cosine.
-    fn at(&self, surface: &Surface<S>, cosine: S::Unit) -> Rgb<S::Unit>;
+    /// Returns the part of the light that is reflected, 0 to 1, where a ray meets facets of a thing of that colour at that cosine;
+    /// `inside` tells whether it comes from the inside.
+    fn at(&self, color: Rgb<S::Unit>, inside: bool, cosine: S::Unit) -> Rgb<S::Unit>;
     /// Returns it as the value of a row.
     fn value(&self) -> Value<S>;
 }
@@ -64,13 +64,13 @@ impl<S: Scalar> Reflecting<S> for Reflection<S> {
         Self { f0, q, denser, is_metal, is_thin: material.is_thin(), is_tinted }
     }
 
-    fn at(&self, surface: &Surface<S>, cosine: S::Unit) -> Rgb<S::Unit> {
+    fn at(&self, color: Rgb<S::Unit>, inside: bool, cosine: S::Unit) -> Rgb<S::Unit> {
         let cosine = at_most_one(cosine);
         if !self.is_metal {
-            let part = dielectric(self.q, self.denser != (surface.inside && !self.is_thin), cosine);
+            let part = dielectric(self.q, self.denser != (inside && !self.is_thin), cosine);
             return Rgb::new(part, part, part);
         }
-        let f0 = if self.is_tinted { surface.color.map(at_most_one) } else { self.f0 };
+        let f0 = if self.is_tinted { color.map(at_most_one) } else { self.f0 };
         let mean = at_most_one(mean(f0));
         let q = if self.is_tinted { inverse_index(mean) } else { self.q };
         let white = Shift { mean, q }.white(cosine);
