@@ -7,7 +7,7 @@ use rta_core::color::Rgb;
 use rta_core::illumination::fade::{Phase, fade, haze, transmittance};
 use rta_core::illumination::microfacet::Facet;
 use rta_core::illumination::{Blinn, Bouknight, Illumination, Lambert, Phong, Romney};
-use rta_core::light::Lamp;
+use rta_core::light::{FallOff, Lamp};
 use rta_core::needs::Everything;
 use rta_core::scalar::{Positive, Unit};
 use rta_core::{Q16, Q20};
@@ -88,7 +88,8 @@ fn a_lamp_lights_by_its_solid_angle() {
         let distance = S::length(1.0);
         for radius in [0.001, 0.1, 0.5, 0.75, 0.99, 1.0] {
             let radius = S::length(radius);
-            let lamp = Lamp { radius, inverse_radius: radius.inverse(), ..Point::lamp() };
+            let fall_off = FallOff::Square;
+            let lamp = Lamp { radius, inverse_radius: radius.inverse(), fall_off, ..Point::lamp() };
             let incident = point.incident(&lamp, distance);
             let one = <S as Narrow>::power(1.0);
             let light = incident.reflected::<Everything>(Rgb::new(one, one, one), true);
