@@ -10,6 +10,8 @@ pub mod elf;
 pub mod expected;
 pub mod footprint;
 pub mod machine;
+pub mod models;
+pub mod picture;
 pub mod qmp;
 pub mod report;
 pub mod row;

@@ -3,6 +3,7 @@
 //! | variable | what it is | unless it is set |
 //! | --- | --- | --- |
 //! | `RTA_SCENE` | the scene file | the Juggler |
+//! | `RTA_MODEL` | the illumination model, by its name | the scene's own |
 //! | `RTA_FORMAT` | `q16`, `q20` or `f32` | `q16` |
 //! | `RTA_NEEDS` | `baked`: only what the scene needs; `everything` | `baked` |
 //! | `RTA_COLORS` | `standard`: the board's own colour table; `sampled`: a palette made for the picture; `dithered`: that, with error diffusion | `standard` |
@@ -13,7 +14,7 @@ use std::error::Error;
 use std::fs;
 use std::path::PathBuf;
 
-use rta_scenes::bake::{Format, bake};
+use rta_scenes::bake::{Format, Model, Recipe, bake, bake_with};
 
 fn main() -> Result<(), Box<dyn Error>> {
     let variable = |name: &str, default: &str| {
@@ -27,7 +28,15 @@ fn main() -> Result<(), Box<dyn Error>> {
         "f32" => Format::F32,
         other => return Err(format!("RTA_FORMAT is q16, q20 or f32, not {other}").into()),
     };
-    let scene = bake(variable("RTA_SCENE", juggler), format)?;
+    let file = variable("RTA_SCENE", juggler);
+    let scene = match variable("RTA_MODEL", "").as_str() {
+        "" => bake(file, format)?,
+        name => {
+            let model = Model::ALL.iter().copied().find(|model| model.name() == name);
+            let model = model.ok_or_else(|| format!("RTA_MODEL is an illumination model, not {name}"))?;
+            bake_with(file, &Recipe { model, ..Recipe::new(format) })?
+        }
+    };
     let (needs, baked) = match variable("RTA_NEEDS", "baked").as_str() {
         "baked" => ("scene::Needs", true),
         "everything" => ("rta_core::needs::Everything", false),

@@ -9,8 +9,10 @@ use std::process::{Command, ExitCode, Stdio};
 use std::time::Instant;
 
 use clap::Parser;
-use rta_tests::boards::board::{ALL, Board, Picture, TARGET_FOLDERS};
+use rta_tests::boards::board::{ALL, Board, TARGET_FOLDERS};
 use rta_tests::boards::footprint::{self, Footprint};
+use rta_tests::boards::models;
+use rta_tests::boards::picture::Picture;
 use rta_tests::boards::report;
 use rta_tests::boards::row::Row;
 use rta_tests::boards::toolchain::Toolchain;
@@ -25,7 +27,7 @@ struct Args {
     /// Boards [default: all]
     boards: Vec<String>,
     /// Draws less: opaque and glass-2 in q16 and the Juggler in f32, on two boards every scene in q16, and on two one
-    /// program for any scene
+    /// program for any scene; on three boards three illumination models, and the programs whose sizes have a limit
     #[arg(long)]
     brief: bool,
     /// Writes tests/boards/FOOTPRINT.md anew instead of comparing with it
@@ -72,7 +74,10 @@ fn run(args: &Args) -> Result<bool, Failure> {
     let (rows, mut failures) = work(&jobs, args);
     report::print_table(&rows);
     failures.extend(report::superfluous(&rows));
-    let footprints: Vec<Footprint> = rows.iter().filter_map(|row| row.footprint.clone()).collect();
+    failures.extend(models::strange(&rows)?);
+    failures.extend(models::large(&rows));
+    let recorded = rows.iter().filter(|row| row.picture.model.is_none());
+    let footprints: Vec<Footprint> = recorded.filter_map(|row| row.footprint.clone()).collect();
     let page = folder().join("FOOTPRINT.md");
     if args.write {
         if args.brief || !args.boards.is_empty() || !skipped.is_empty() || !failures.is_empty() {

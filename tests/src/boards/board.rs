@@ -1,8 +1,4 @@
-//! The boards, and the pictures that each of them draws.
-
-use std::path::PathBuf;
-
-use rta::engine::Format;
+//! The boards.
 
 /// A board.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -168,107 +164,6 @@ pub const ALL: [Board; 8] = [
     },
 ];
 
-/// How the colours of a picture are chosen.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Colors {
-    /// By the uniform table where the picture is streamed, by the tolerant one on a screen.
-    Standard,
-    /// By a palette made from samples of the picture.
-    Sampled,
-    /// By such a palette, with error diffusion.
-    Dithered,
-}
-
-impl Colors {
-    /// Returns its name, as images are told it.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Standard => "standard",
-            Self::Sampled => "sampled",
-            Self::Dithered => "dithered",
-        }
-    }
-}
-
-/// A picture that one image draws.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Picture {
-    /// The scene's name.
-    pub scene: &'static str,
-    /// The scene file.
-    pub file: PathBuf,
-    /// The number format.
-    pub format: Format,
-    /// Whether the program holds only what this scene needs, or all that any scene may need.
-    pub baked: bool,
-    /// How its colours are chosen.
-    pub colors: Colors,
-    /// Width and height in pixels.
-    pub size: (u32, u32),
-}
-
-impl Picture {
-    /// Whether the picture is among those that `--brief` draws.
-    #[must_use]
-    pub fn is_brief(&self, board: &Board) -> bool {
-        let any_scene = matches!(
-            (board.name, self.scene, self.format),
-            ("microbit", "opaque", Format::Q16) | ("mps2-an386", "opaque", Format::F32)
-        );
-        // Every scene on two boards, and the one that another has; elsewhere the least and the most that there is.
-        let this_scene = match self.format {
-            Format::Q16 if matches!(board.name, "microbit" | "riscv" | "pc-floppy") => true,
-            Format::Q16 => matches!(self.scene, "opaque" | "glass-2"),
-            _ => self.scene == "juggler",
-        };
-        // Error diffusion contains all that a palette takes.
-        let palette = matches!(
-            (board.name, self.scene, self.format),
-            ("microbit", "opaque", Format::Q16) | ("mps2-an386", "juggler", Format::F32)
-        );
-        match self.colors {
-            Colors::Standard => {
-                if self.baked {
-                    this_scene
-                } else {
-                    any_scene
-                }
-            }
-            Colors::Sampled => palette,
-            Colors::Dithered => palette || self.scene == "opaque" && self.format == Format::Q16,
-        }
-    }
-
-    /// Returns what the program can draw, in words: the column "needs" of the footprint table.
-    #[must_use]
-    pub fn needs(&self) -> &'static str {
-        match self.colors {
-            Colors::Standard if self.baked => "baked",
-            Colors::Standard => "Everything",
-            // Baked too.
-            colors => colors.name(),
-        }
-    }
-
-    /// Returns the name of the picture in messages and files.
-    #[must_use]
-    pub fn title(&self, board: &Board) -> String {
-        format!("{} {} {} {}", board.name, self.scene, self.format, self.needs())
-    }
-}
-
-/// The raster of pictures that are streamed.
-const STREAMED: (u32, u32) = (160, 100);
-
-/// The scenes that are drawn: name, and file relative to the folder of the boards.
-const SCENES: [(&str, &str); 4] = [
-    ("opaque", "scenes/opaque.dat"),
-    ("juggler", "../../scenes/juggler.dat"),
-    ("glass-2", "../../scenes/glass-2.dat"),
-    ("hall-22", "../../scenes/hall-22.dat"),
-];
-
 /// Number of target folders, in each of which one image at a time is built.
 pub const TARGET_FOLDERS: usize = 2;
 
@@ -278,49 +173,5 @@ impl Board {
     #[must_use]
     pub fn target_folder(&self) -> usize {
         usize::from(matches!(self.name, "mps2-an386" | "riscv" | "sparc" | "wasm"))
-    }
-
-    /// Whether the board draws a scene with palettes too: on the two boards that are compared in what they cost, all scenes; elsewhere one.
-    fn is_colored(&self, scene: &str, format: Format) -> bool {
-        match format {
-            Format::Q16 => self.name == "microbit" || (scene == "opaque" && self.name != "pc-floppy"),
-            _ => self.name == "mps2-an386",
-        }
-    }
-
-    /// Returns the pictures that the board draws.
-    #[must_use]
-    pub fn pictures(&self) -> Vec<Picture> {
-        let mut pictures = Vec::new();
-        for (scene, file) in SCENES {
-            for format in [Format::Q16, Format::F32] {
-                // Size and instructions are told for boards with flash; the PC's second image is there to be booted.
-                let everything = self.output == Output::Semihosting;
-                if self.name == "pc-floppy" && (scene != "juggler" || format != Format::Q16) {
-                    continue;
-                }
-                let size = match self.output {
-                    Output::Screen { screen: (width, height, _), .. }
-                        if (self.name == "sparc" && scene == "glass-2" && format == Format::Q16)
-                            || self.package == "pc" =>
-                    {
-                        (width, height)
-                    }
-                    Output::Screen { .. } => (320, 200),
-                    Output::Semihosting | Output::Module => STREAMED,
-                };
-                let file = super::folder().join(file);
-                let picture = Picture { scene, file, format, baked: true, colors: Colors::Standard, size };
-                pictures.push(picture.clone());
-                if everything {
-                    pictures.push(Picture { baked: false, ..picture.clone() });
-                }
-                if self.is_colored(scene, format) {
-                    let colors = [Colors::Sampled, Colors::Dithered];
-                    pictures.extend(colors.map(|colors| Picture { colors, ..picture.clone() }));
-                }
-            }
-        }
-        pictures
     }
 }

@@ -1,5 +1,7 @@
 //! ELF files of images: sizes of sections, names of functions, and bytes by address.
 
+use std::collections::BTreeSet;
+
 use object::{Object, ObjectSection, ObjectSegment, ObjectSymbol, SectionFlags, SectionKind, SymbolKind};
 
 use super::Failure;
@@ -45,6 +47,26 @@ pub fn mentions(file: &[u8], word: &str) -> Result<bool, Failure> {
     Ok(elf.symbols().any(|symbol| {
         symbol.kind() == SymbolKind::Text && symbol.name().is_ok_and(|name| name.contains(word))
     }))
+}
+
+/// Returns the source files in a folder that the code of an image is from, inlined code too, by their paths from the folder's name on: the
+/// file names of the image's line table, which names no file without code.
+///
+/// # Errors
+/// The bytes are no ELF file.
+pub fn sources(file: &[u8], folder: &str) -> Result<BTreeSet<String>, Failure> {
+    let mut found = BTreeSet::new();
+    for section in object::File::parse(file)?.sections() {
+        // The names are in the table itself up to DWARF 4, from DWARF 5 on beside it.
+        if !matches!(section.name()?, ".debug_line" | ".debug_line_str") {
+            continue;
+        }
+        for text in section.data()?.split(|&byte| byte == 0).filter_map(|text| str::from_utf8(text).ok()) {
+            let path = text.find(folder).and_then(|start| text.get(start..));
+            found.extend(path.filter(|path| path.ends_with(".rs")).map(str::to_owned));
+        }
+    }
+    Ok(found)
 }
 
 /// Returns the contents of the loadable segments as one block of memory, from the address `base` on.

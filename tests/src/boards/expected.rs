@@ -10,10 +10,10 @@ use rta_drivers::checksum::{Checksum, Unseen};
 use rta_drivers::display::{Capabilities, Display, DriverError};
 use rta_drivers::painter::Painter;
 use rta_drivers::quantize::{Adaptive, ColorTable, Uniform};
-use rta_scenes::dat;
 
 use super::Failure;
-use super::board::{Colors, Output, Picture};
+use super::board::Output;
+use super::picture::{Colors, Picture};
 
 /// A picture as indices into a colour table.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -76,9 +76,10 @@ fn paint(
     table: impl ColorTable + Send + 'static,
 ) -> Result<Indexed, Failure> {
     let text = std::fs::read(&picture.file)?;
-    let scene = dat::read(&text, &picture.file.display().to_string())?;
+    let scene = rta_scenes::read(&text, &picture.file.display().to_string())?;
     let format: Format = picture.format;
-    let engine = Engine::new(&scene, &Settings { width, height, format, ..Settings::default() })?;
+    let model = picture.model.unwrap_or(scene.model);
+    let engine = Engine::new(&scene, &Settings { width, height, format, model, ..Settings::default() })?;
     let capabilities = Capabilities { width, height, colors: 256, gun_max, aspect: (4, 3) };
     let dither = if picture.colors == Colors::Dithered { DitherKind::Fs } else { DitherKind::None };
     let coloring = Coloring { table: TableKind::Sampled, dither, samples: SAMPLES };

@@ -2,8 +2,9 @@
 
 use rta::engine::Format;
 
-use super::board::{Board, Colors, Picture};
+use super::board::Board;
 use super::footprint::Footprint;
+use super::picture::{Colors, Picture};
 use super::row::{PRIMITIVES, Row};
 
 /// Returns, in words, which programs for the opaque scene alone have functions in them that it does not need.
@@ -54,14 +55,14 @@ pub fn drift(now: &[Footprint], (compiler, then): &(String, Vec<Footprint>), ver
 /// Prints a line for each picture.
 pub fn print_table(rows: &[Row]) {
     println!(
-        "\n{:12} {:12} {:8} {:4} {:10} {:>9} {:>6} {:>6} {:>8}  hash at 160x100",
+        "\n{:12} {:12} {:8} {:4} {:14} {:>9} {:>6} {:>6} {:>8}  hash",
         "board", "processor", "scene", "", "needs", "raster", "stack", ".text", "a pixel"
     );
     for Row { board, picture, hash, stack, footprint, .. } in rows {
         let (width, height) = picture.size;
         let word = |figure: Option<u64>| figure.map_or_else(String::new, |figure| figure.to_string());
         println!(
-            "{:12} {:12} {:8} {:4} {:10} {:>9} {:>6} {:>6} {:>8}  {hash:016x}",
+            "{:12} {:12} {:8} {:4} {:14} {:>9} {:>6} {:>6} {:>8}  {hash:016x}",
             board.name,
             board.processor,
             picture.scene,

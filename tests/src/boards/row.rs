@@ -1,11 +1,13 @@
 //! One picture of one board: built, booted, compared, and summed up as a row of the table.
 
+use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 
-use super::board::{Board, Output, Picture};
+use super::board::{Board, Output};
 use super::footprint::Footprint;
 use super::machine::{self, Outcome};
+use super::picture::Picture;
 use super::toolchain::Toolchain;
 use super::{Failure, compare, elf, expected};
 
@@ -19,12 +21,15 @@ pub struct Row {
     pub board: Board,
     /// The picture.
     pub picture: Picture,
-    /// The hash of the picture as boards without a screen stream it.
+    /// The hash of the picture as boards without a screen stream it: of 160 x 100 pixels, or of its own raster where the board reports none.
     pub hash: u64,
     /// Bytes of stack, if reported.
     pub stack: Option<u64>,
     /// Those of [`PRIMITIVES`] that are part of the name of one of the program's functions.
     pub primitives: Vec<&'static str>,
+    /// The files of the illumination models and of air that the program's code is from, below the core's folder `illumination`; none for
+    /// WebAssembly, which is no ELF file.
+    pub sources: BTreeSet<String>,
     /// Memory and instructions of the image, where the board reports stack and instructions.
     pub footprint: Option<Footprint>,
 }
@@ -57,7 +62,7 @@ impl Row {
         if let (Some(dump), Output::Screen { screen, zoom, .. }) = (&outcome.screendump, board.output) {
             compare::screen(dump, &want, picture.size, screen, zoom as usize)?;
         }
-        let streamed = (160, 100);
+        let streamed = if outcome.hash.is_some() { (160, 100) } else { picture.size };
         let hash = expected::streamed(&picture, streamed)?.hash(streamed)?;
         let own = outcome.hash.map_or_else(|| outcome.drawn.hash(picture.size), Ok)?;
         if own != hash {
@@ -73,7 +78,9 @@ impl Row {
                 }
             }
         }
-        Ok(Self { board, picture, hash, stack: outcome.stack, primitives, footprint })
+        let sources =
+            if board.output == Output::Module { BTreeSet::new() } else { elf::sources(&image, "illumination/")? };
+        Ok(Self { board, picture, hash, stack: outcome.stack, primitives, sources, footprint })
     }
 }
 

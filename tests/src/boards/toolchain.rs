@@ -4,9 +4,9 @@ use std::env;
 use std::path::PathBuf;
 use std::process::Command;
 
-use super::Failure;
-use super::board::{Board, Picture};
-use super::folder;
+use super::board::Board;
+use super::picture::Picture;
+use super::{Failure, folder};
 
 /// A compiler that has the target, or the sources of `core` to build it from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -87,6 +87,7 @@ impl Toolchain {
             .current_dir(&package)
             .env("CARGO_TARGET_DIR", &target_dir)
             .env("RTA_SCENE", &picture.file)
+            .env("RTA_MODEL", picture.model.map_or("", |model| model.name()))
             .env("RTA_FORMAT", picture.format.to_string())
             .env("RTA_NEEDS", if picture.baked { "baked" } else { "everything" })
             .env("RTA_COLORS", picture.colors.name())

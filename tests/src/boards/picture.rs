@@ -1,0 +1,210 @@
+//! The pictures that each board draws.
+
+use std::path::PathBuf;
+
+use rta::engine::Format;
+use rta_scenes::bake::Model;
+
+use super::board::{Board, Output};
+
+/// How the colours of a picture are chosen.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Colors {
+    /// By the uniform table where the picture is streamed, by the tolerant one on a screen.
+    Standard,
+    /// By a palette made from samples of the picture.
+    Sampled,
+    /// By such a palette, with error diffusion.
+    Dithered,
+}
+
+impl Colors {
+    /// Returns its name, as images are told it.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Standard => "standard",
+            Self::Sampled => "sampled",
+            Self::Dithered => "dithered",
+        }
+    }
+}
+
+/// A picture that one image draws.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Picture {
+    /// The scene's name.
+    pub scene: &'static str,
+    /// The scene file.
+    pub file: PathBuf,
+    /// The illumination model; `None` for the scene's own. Footprints are recorded of the pictures without one.
+    pub model: Option<Model>,
+    /// The number format.
+    pub format: Format,
+    /// Whether the program holds only what this scene needs, or all that any scene may need.
+    pub baked: bool,
+    /// How its colours are chosen.
+    pub colors: Colors,
+    /// Width and height in pixels.
+    pub size: (u32, u32),
+}
+
+impl Picture {
+    /// Whether the picture is among those that `--brief` draws.
+    #[must_use]
+    pub fn is_brief(&self, board: &Board) -> bool {
+        if let Some(model) = self.model {
+            let is_drawn = matches!(board.name, "microbit" | "sparc" | "wasm") && BRIEF.contains(&model);
+            return is_drawn || self.scene != MODELS.0;
+        }
+        let any_scene = matches!(
+            (board.name, self.scene, self.format),
+            ("microbit", "opaque", Format::Q16) | ("mps2-an386", "opaque", Format::F32)
+        );
+        // Every scene on two boards, and the one that another has; elsewhere the least and the most that there is.
+        let this_scene = match self.format {
+            Format::Q16 if matches!(board.name, "microbit" | "riscv" | "pc-floppy") => true,
+            Format::Q16 => matches!(self.scene, "opaque" | "glass-2"),
+            _ => self.scene == "juggler",
+        };
+        // Error diffusion contains all that a palette takes.
+        let palette = matches!(
+            (board.name, self.scene, self.format),
+            ("microbit", "opaque", Format::Q16) | ("mps2-an386", "juggler", Format::F32)
+        );
+        match self.colors {
+            Colors::Standard => {
+                if self.baked {
+                    this_scene
+                } else {
+                    any_scene
+                }
+            }
+            Colors::Sampled => palette,
+            Colors::Dithered => palette || self.scene == "opaque" && self.format == Format::Q16,
+        }
+    }
+
+    /// Returns what the program can draw, in words: the column "needs" of the footprint table, or the picture's model.
+    #[must_use]
+    pub fn needs(&self) -> &'static str {
+        if let Some(model) = self.model {
+            return model.name();
+        }
+        match self.colors {
+            Colors::Standard if self.baked => "baked",
+            Colors::Standard => "Everything",
+            // Baked too.
+            colors => colors.name(),
+        }
+    }
+
+    /// Returns the name of the picture in messages and files.
+    #[must_use]
+    pub fn title(&self, board: &Board) -> String {
+        format!("{} {} {} {}", board.name, self.scene, self.format, self.needs())
+    }
+}
+
+/// The raster of pictures that are streamed.
+const STREAMED: (u32, u32) = (160, 100);
+
+/// The raster of pictures that are drawn by a given model.
+const OF_MODELS: (u32, u32) = (64, 40);
+
+/// The models of [`MODELS`] in `--brief`: microfacets with several slopes, lamps seen through glass, absorption.
+const BRIEF: [Model; 3] = [Model::CookTorrance, Model::HallGreenberg, Model::KayGreenberg];
+
+/// The scene that every model draws on every board: a little of everything that they tell apart.
+pub const MODELS: (&str, &str) = ("models", "../scenes/models.rta");
+
+/// The scenes whose programs are measured with [`LIMITS`].
+pub const MEASURED: [(&str, &str); 2] =
+    [("juggler", "../../scenes/juggler.dat"), ("glass-2", "../../scenes/glass-2.dat")];
+
+/// The most bytes of code that a program for the Cortex-M0 that draws one of [`MEASURED`] may have more with a model than with `whitted`.
+pub const LIMITS: [(Model, i64); 4] = [
+    (Model::Blinn, 1024),
+    (Model::KayGreenberg, 2048),
+    (Model::CookTorrance, 4096),
+    (Model::HallGreenberg, 5120),
+];
+
+/// A scene with air, drawn by its own model.
+pub const HAZE: (&str, &str) = ("haze", "../../scenes/haze.rta");
+
+/// The scenes that are drawn: name, and file relative to the folder of the boards.
+const SCENES: [(&str, &str); 4] = [
+    ("opaque", "scenes/opaque.dat"),
+    ("juggler", "../../scenes/juggler.dat"),
+    ("glass-2", "../../scenes/glass-2.dat"),
+    ("hall-22", "../../scenes/hall-22.dat"),
+];
+
+impl Board {
+    /// Whether the board draws a scene with palettes too: on the two boards that are compared in what they cost, all scenes; elsewhere one.
+    fn is_colored(&self, scene: &str, format: Format) -> bool {
+        match format {
+            Format::Q16 => self.name == "microbit" || (scene == "opaque" && self.name != "pc-floppy"),
+            _ => self.name == "mps2-an386",
+        }
+    }
+
+    /// Returns the pictures that the board draws.
+    #[must_use]
+    pub fn pictures(&self) -> Vec<Picture> {
+        let mut pictures = Vec::new();
+        for (scene, file) in SCENES {
+            for format in [Format::Q16, Format::F32] {
+                // Size and instructions are told for boards with flash; the PC's second image is there to be booted.
+                let everything = self.output == Output::Semihosting;
+                if self.name == "pc-floppy" && (scene != "juggler" || format != Format::Q16) {
+                    continue;
+                }
+                let size = match self.output {
+                    Output::Screen { screen: (width, height, _), .. }
+                        if (self.name == "sparc" && scene == "glass-2" && format == Format::Q16)
+                            || self.package == "pc" =>
+                    {
+                        (width, height)
+                    }
+                    Output::Screen { .. } => (320, 200),
+                    Output::Semihosting | Output::Module => STREAMED,
+                };
+                let file = super::folder().join(file);
+                let picture = Picture { scene, file, model: None, format, baked: true, colors: Colors::Standard, size };
+                pictures.push(picture.clone());
+                if everything {
+                    pictures.push(Picture { baked: false, ..picture.clone() });
+                }
+                if self.is_colored(scene, format) {
+                    let colors = [Colors::Sampled, Colors::Dithered];
+                    pictures.extend(colors.map(|colors| Picture { colors, ..picture.clone() }));
+                }
+            }
+        }
+        pictures.extend(self.of_models());
+        pictures
+    }
+
+    /// Returns the pictures of given models: every model on every board, and on the smallest those whose programs are measured.
+    fn of_models(&self) -> Vec<Picture> {
+        let picture = |(scene, file), model| Picture {
+            scene,
+            file: super::folder().join(file),
+            model: Some(model),
+            format: Format::Q16,
+            baked: true,
+            colors: Colors::Standard,
+            size: OF_MODELS,
+        };
+        let mut pictures: Vec<_> = Model::ALL.iter().map(|&model| picture(MODELS, model)).collect();
+        if self.name == "microbit" {
+            let measured = [Model::Whitted].into_iter().chain(LIMITS.map(|(model, _)| model));
+            let measured = measured.flat_map(|model| MEASURED.map(|scene| picture(scene, model)));
+            pictures.extend(measured);
+            pictures.push(picture(HAZE, Model::Whitted));
+        }
+        pictures
+    }
+}
