@@ -213,7 +213,11 @@ mod tests {
             assert_eq!(Magnitude::new(m, 0).over(Magnitude::new(n, 0)), want, "{m} / {n}");
         }
         let none = Magnitude { exponent: 5, mantissa: 0 };
-        assert_eq!(Magnitude::new(3, 0).over(none), Magnitude::new(3, -5), "0 counts as the smallest above 0");
+        assert_eq!(
+            Magnitude::new(3, 0).over(none),
+            Magnitude::new(3, -5),
+            "0 counts as the smallest above 0"
+        );
     }
 
     #[test]

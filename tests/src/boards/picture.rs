@@ -172,7 +172,8 @@ impl Board {
                     Output::Semihosting | Output::Module => STREAMED,
                 };
                 let file = super::folder().join(file);
-                let picture = Picture { scene, file, model: None, format, baked: true, colors: Colors::Standard, size };
+                let picture =
+                    Picture { scene, file, model: None, format, baked: true, colors: Colors::Standard, size };
                 pictures.push(picture.clone());
                 if everything {
                     pictures.push(Picture { baked: false, ..picture.clone() });

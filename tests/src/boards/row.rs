@@ -78,8 +78,11 @@ impl Row {
                 }
             }
         }
-        let sources =
-            if board.output == Output::Module { BTreeSet::new() } else { elf::sources(&image, "illumination/")? };
+        let sources = if board.output == Output::Module {
+            BTreeSet::new()
+        } else {
+            elf::sources(&image, "illumination/")?
+        };
         Ok(Self { board, picture, hash, stack: outcome.stack, primitives, sources, footprint })
     }
 }
