@@ -109,7 +109,7 @@ impl Picture {
 /// The raster of pictures that are streamed.
 const STREAMED: (u32, u32) = (160, 100);
 
-/// The raster of pictures that are drawn by a given model.
+/// The raster of pictures that are drawn by a given model, where the screen does not say it.
 const OF_MODELS: (u32, u32) = (64, 40);
 
 /// The models of [`MODELS`] in `--brief`: microfacets with several slopes, lamps seen through glass, absorption.
@@ -190,6 +190,11 @@ impl Board {
 
     /// Returns the pictures of given models: every model on every board, and on the smallest those whose programs are measured.
     fn of_models(&self) -> Vec<Picture> {
+        // A PC draws on all of its screen.
+        let size = match self.output {
+            Output::Screen { screen: (width, height, _), .. } if self.package == "pc" => (width, height),
+            _ => OF_MODELS,
+        };
         let picture = |(scene, file), model| Picture {
             scene,
             file: super::folder().join(file),
@@ -197,7 +202,7 @@ impl Board {
             format: Format::Q16,
             baked: true,
             colors: Colors::Standard,
-            size: OF_MODELS,
+            size,
         };
         let mut pictures: Vec<_> = Model::ALL.iter().map(|&model| picture(MODELS, model)).collect();
         if self.name == "microbit" {
