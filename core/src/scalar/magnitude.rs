@@ -63,6 +63,7 @@ impl Magnitude {
     }
 
     /// Returns the product.
+    // Not inlined in firmware, as the quotient is not: 640 bytes less with cook-torrance on a Cortex-M0, 1 % more instructions.
     #[cfg_attr(target_os = "none", inline(never))]
     pub fn times(self, other: Self) -> Self {
         Self::new(u64::from(self.mantissa) * u64::from(other.mantissa), self.exponent + other.exponent)

@@ -55,15 +55,11 @@ impl<S: Scalar> Air<S> for Medium<S> {
         }
         let lamps = way.lamps.iter().enumerate();
         let veil = lamps.fold(passage.veil, |veil, (number, lamp)| {
-            // The part of the lamp's light that arrives at a place and is scattered into the ray, by the distance from the ray's start
-            // and the cosine of the angle between the ray and the direction to the lamp.
-            let mut part = |distance: S, cosine: S::Unit| {
+            // The part of the lamp's light that arrives at a place and is scattered into the ray, by the cosine of the angle between the
+            // ray and the direction to the lamp.
+            let mut part = |place: Vec3<S>, cosine: S::Unit| {
                 let scattered = self.phase.scattered(cosine);
-                if !self.shadows {
-                    return scattered;
-                }
-                let place = way.start.origin.along(way.start.direction, distance);
-                scattered.times(lit(place, number).positive())
+                if self.shadows { scattered.times(lit(place, number).positive()) } else { scattered }
             };
             let beam = if lamp.fall_off.fades(self.fades) {
                 self.near(way, length, lamp, &mut part)
@@ -93,7 +89,7 @@ impl<S: Scalar> Medium<S> {
         way: &Way<S>,
         length: S,
         lamp: &Lamp<S>,
-        part: &mut impl FnMut(S, S::Unit) -> S::Power,
+        part: &mut impl FnMut(Vec3<S>, S::Unit) -> S::Power,
     ) -> Rgb<S::Power> {
         let to_lamp = lamp.position - way.start.origin;
         let foot = to_lamp.dot(way.start.direction);
@@ -110,7 +106,8 @@ impl<S: Scalar> Medium<S> {
             let is_behind = ahead < S::ZERO;
             let cosine = if is_behind { -ahead } else { ahead }.positive().over(away).unit();
             let cosine = if cosine > S::Unit::ONE { S::Unit::ONE } else { cosine };
-            let part = part(distance, if is_behind { -cosine } else { cosine });
+            let place = way.start.origin.along(way.start.direction, distance);
+            let part = part(place, if is_behind { -cosine } else { cosine });
             let whole = along.plus(away);
             let here = self.registers(|density| part.times(density.times(whole).exp2_minus().positive()));
             sum = sum.zip(here, Positive::plus);
@@ -126,7 +123,7 @@ impl<S: Scalar> Medium<S> {
         way: &Way<S>,
         length: S,
         lamp: &Lamp<S>,
-        part: &mut impl FnMut(S, S::Unit) -> S::Power,
+        part: &mut impl FnMut(Vec3<S>, S::Unit) -> S::Power,
     ) -> Rgb<S::Power> {
         let one = S::Power::new(1, 0);
         let quarter = S::Power::new(1, -2).times(if lamp.is_cut(self.fades) { one } else { lamp.power });
@@ -142,11 +139,10 @@ impl<S: Scalar> Medium<S> {
         for number in 0..count {
             let left = left_at(number + 1);
             let along = width.times(S::Power::new(2 * number + 1, -1));
-            let distance = at(length, along);
-            let place = way.start.origin.along(way.start.direction, distance);
+            let place = way.start.origin.along(way.start.direction, at(length, along));
             let to_lamp = (lamp.position - place).normalize();
             let cosine = to_lamp.map_or(S::Unit::ONE, |(direction, ..)| direction.dot(way.start.direction));
-            let part = part(distance, cosine);
+            let part = part(place, cosine);
             let taken = before.zip(left, |before, left| (before - left).positive().times(part));
             sum = sum.zip(taken, Positive::plus);
             before = left;
