@@ -213,3 +213,21 @@ fn windows_keep_to_the_screen_fill_it_on_a_key_and_save_the_whole_picture() {
     let files = ["rta-scene-pixrect.png", "want.png"].map(|name| fs::read(folder.path(name)).unwrap());
     assert!(files[0] == files[1], "the window's picture is not that of rta render");
 }
+
+#[test]
+fn each_of_many_keys_at_once_is_told() {
+    if !has_tools() {
+        return;
+    }
+    let folder = Folder::new();
+    let mut desk = Desk::new(&folder, "800x600", &["scene.dat", "--size", "16x10"]);
+    let complete = Instant::now();
+    while !desk.title().ends_with(" s") {
+        assert!(complete.elapsed() < PATIENCE, "{}", desk.title());
+    }
+    desk.xdotool(&["key", "--delay", "0", "s", "F11", "s", "s", "t", "q"]);
+    assert!(desk.program.wait().unwrap().success());
+    let told = fs::read_to_string(folder.path("out.txt")).unwrap();
+    let saved = told.lines().filter(|line| line.starts_with("saved rta-scene-")).count();
+    assert_eq!(saved, 3, "{told}");
+}

@@ -126,13 +126,13 @@ fn run_in(mut window: Window, mut show: Show, stop: &AtomicBool) -> Result<(), E
                     return leave(show, stop);
                 }
             }
+            // The next key may take the note's place.
+            tell_news(&mut show)?;
             drawn.is_stale = true;
         }
         show.follow_file();
         drawn.is_stale |= show.advance(BUDGET)?;
-        if let Some(news) = show.news() {
-            tell(&news)?;
-        }
+        tell_news(&mut show)?;
         let overlay = wishes.overlay(&window, &show);
         drawn.draw(&mut window, &mut show, overlay)?;
     }
@@ -152,7 +152,7 @@ fn leave(mut show: Show, stop: &AtomicBool) -> Result<(), Error> {
         show.advance(BUDGET)?;
         std::thread::sleep(BUDGET);
     }
-    show.news().map_or(Ok(()), |news| tell(&news))
+    tell_news(&mut show)
 }
 
 /// What the user wants to see over the picture.
@@ -227,6 +227,11 @@ impl Drawn {
         }
         Ok(())
     }
+}
+
+/// Tells what has not been told yet.
+fn tell_news(show: &mut Show) -> Result<(), Error> {
+    show.news().map_or(Ok(()), |news| tell(&news))
 }
 
 /// Tells a message on standard output, and an error on standard error.
