@@ -45,6 +45,7 @@ pub mod scalar;
 pub mod scene;
 pub mod shape;
 pub mod surface;
+pub mod texture;
 pub mod trace;
 pub mod world;
 

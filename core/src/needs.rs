@@ -87,6 +87,22 @@ needs! {
     SHADOWS shadows,
     /// Transparent objects let part of the light through into their shadow.
     TRANSPARENT_SHADOWS transparent_shadows,
+    /// Materials with coats: [`Coat`](crate::texture::Coat).
+    COATS coats,
+    /// Chequered coats.
+    CHECKER checker,
+    /// Coats of marble.
+    MARBLE marble,
+    /// Coats of wood.
+    WOOD wood,
+    /// Coats with pictures.
+    IMAGES images,
+    /// Coats with bumps; they need [`Needs::NORMALS`].
+    BUMPS bumps,
+    /// Coats whose mirror rays see the sky alone.
+    SURROUNDINGS surroundings,
+    /// A picture of the sky.
+    SKY_MAP sky_map,
 }
 
 /// All constants true: for a program that reads its scene at run time.

@@ -34,6 +34,7 @@ use crate::ray::Ray;
 use crate::scalar::vector::{UnitVec3, Vec3, Vector};
 use crate::scalar::{Light, Magnitude, Number, Scalar, Unit};
 use crate::scene::{Hit, Limits, Object, PLAIN, Scene};
+use crate::texture::Texture;
 use crate::world::World;
 
 mod extent;
@@ -163,11 +164,18 @@ impl<'a, S: Scalar> Scene<'a, S> {
         }
     }
 
-    /// Calls `see` with every surface, its colour and material; twice with the floor, which has two colours.
+    /// Calls `see` with every surface, its colour and material: more than once with those that have several colours, as the floor has.
     pub fn surfaces(&self, mut see: impl FnMut(Object, Rgb<S::Unit>, &Material<S>)) {
-        self.looks(|object, look| see(object, look.color, self.material(look.material)));
+        let mut covered = |object, color, number| {
+            see(object, color, self.material(number));
+            let texture = self.coats.get(usize::from(number)).and_then(|coat| coat.texture.as_ref());
+            for color in texture.into_iter().flat_map(Texture::extremes) {
+                see(object, color, self.material(number));
+            }
+        };
+        self.looks(|object, look| covered(object, look.color, look.material));
         if let Some(floor) = &self.floor {
-            floor.colors.iter().for_each(|color| see(Object::Floor, *color, self.material(floor.material)));
+            floor.colors.iter().for_each(|color| covered(Object::Floor, *color, floor.material));
         }
     }
 

@@ -121,6 +121,11 @@ pub trait Scalar: Number + PartialOrd + Add<Output = Self> + Sub<Output = Self> 
     /// Returns whether the coordinate `self + slope * height / fall`, which may exceed [`Scalar::FAR`], lies in an odd tile.
     fn odd_far_tile(self, slope: Self::Unit, height: Self, fall: Self::Unit, tile: Option<Self>) -> bool;
 
+    /// Returns the floor of the coordinate times `frequency / 2^24` in 65536ths, as the low 32 bits of it.
+    fn lattice(self, frequency: u32) -> i32;
+    /// Returns `place / 65536`, which the format can hold, rounded towards zero where it has fewer bits behind the point.
+    fn of_lattice(place: i32) -> Self;
+
     /// Returns the intensity `mantissa * 2^exponent`.
     fn power(mantissa: u32, exponent: i16) -> Self::Power;
     /// Returns an intensity as a radiance, for a lamp that is not attenuated; saturates in fixed point.
@@ -148,6 +153,11 @@ pub trait Unit: Number + PartialOrd + Add<Output = Self> + Sub<Output = Self> + 
     fn ratio(numerator: i64, denominator: i64) -> Self;
     /// Returns what [`Unit::ratio`] does, for numbers that are known only at run time, without a 64-bit division.
     fn fraction(numerator: i32, denominator: u32) -> Self;
+    /// Returns `level / 65535`, for a level of up to 65535 in size.
+    fn of_level(level: i32) -> Self;
+    /// Returns the angle from the x axis to a direction in the plane, towards y, in turns: above -1/2, at most 1/2; 0 for no direction.
+    /// Within 5e-8 in fixed point.
+    fn turn(x: Self, y: Self) -> Self;
     /// Returns the product, rounded.
     fn times(self, factor: Self) -> Self;
     /// Returns `self / divisor`, where the divisor is given by its reciprocal; saturates at 2 in fixed point.

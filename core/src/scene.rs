@@ -15,6 +15,7 @@ use crate::scalar::vector::{UnitVec3, Vector};
 use crate::scalar::{Light, Scalar, Unit};
 pub use crate::shape::Floor;
 use crate::shape::{Cone, Cylinder, Ellipsoid, Look, Plane, Primitive, Sphere, SurfacePoint, Triangle};
+use crate::texture::{Coat, Pattern};
 
 /// A visitor of a scene's objects. It is given a run of consecutive objects of one list at a time.
 pub trait Visit<S: Scalar> {
@@ -74,6 +75,11 @@ macro_rules! lists {
             pub lamps: &'a [Lamp<S>],
             /// Materials, to which the objects refer by number.
             pub materials: &'a [Material<S>],
+            /// What covers the materials, in their order, as far as any is covered. Behind the last material's comes that of the sky, where
+            /// it has a picture.
+            pub coats: &'a [Coat<S>],
+            /// Words that coats look up: pixels and texture coordinates, as [`Image`](crate::texture::Image) says.
+            pub pool: &'a [u32],
             /// The floor, if there is one.
             pub floor: Option<Floor<S>>,
             /// The light of rays that meet nothing.
@@ -85,7 +91,7 @@ macro_rules! lists {
         impl<'a, S: Scalar> Scene<'a, S> {
             /// Returns a scene of sky and ambient light, without objects, floor and lamps.
             pub const fn empty(sky: Sky<S>, ambient: Rgb<S::Light>) -> Self {
-                Scene { $($list: &[],)+ lamps: &[], materials: &[], floor: None, sky, ambient }
+                Scene { $($list: &[],)+ lamps: &[], materials: &[], coats: &[], pool: &[], floor: None, sky, ambient }
             }
 
             /// Passes all lists of primitives that `N` compiles in to `visit`, in order of [`Object`]; floor and lamps are not
@@ -219,6 +225,18 @@ impl<'a, S: Scalar> Scene<'a, S> {
     /// admitted.
     pub fn material(&self, number: u16) -> &'a Material<S> {
         self.materials.get(usize::from(number)).unwrap_or(&Material::Opaque)
+    }
+
+    /// Returns the radiance that comes from a direction, a unit vector, in which there is nothing.
+    pub fn radiance<N: Needs>(&self, direction: UnitVec3<S>) -> Rgb<S::Light> {
+        if N::SKY_MAP
+            && let Some(coat) = self.coats.get(self.materials.len())
+            && let Some(texture) = &coat.texture
+            && let Pattern::Image(image) = &texture.pattern
+        {
+            return image.sky::<S>(self.pool, direction);
+        }
+        self.sky.radiance::<N>(direction)
     }
 
     /// Returns an empty chequered floor under a blue sky by day, with ambient light and no lamp.

@@ -29,6 +29,8 @@ pub struct Surface<'a, S: Scalar> {
     pub color: Rgb<S::Unit>,
     /// What the surface does with light.
     pub material: &'a Material<S>,
+    /// Whether mirror rays see the sky alone, and no things.
+    pub surroundings: bool,
     /// The number of the material in the scene's list, from 0, by which a model finds its own parameters of it.
     pub number: u16,
 }

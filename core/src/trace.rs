@@ -13,7 +13,7 @@ use core::marker::PhantomData;
 
 use heapless::Vec;
 
-use decision::{Branch, Start, branch, casts_shadow_ray, direct, refract};
+use decision::{Branch, Start, branch, casts_shadow_ray, direct, own, refract};
 pub use observer::Observer;
 
 use crate::accelerator::{Accelerator, Lists};
@@ -193,7 +193,7 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Acceler
             Seen::Surface(surface) => met.insert(surface),
         };
         observer.hit(hit.as_ref(), Some(surface));
-        let mut light = self.model.ambient::<N>(surface, scene.scene.ambient);
+        let mut light = own::<S, M, N>(&self.model, surface, &scene.scene);
         if N::LAMPS && self.model.is_lit::<N>(surface) {
             let lamps = if N::SEVERAL_LAMPS { scene.scene.lamps.len() } else { 1 };
             for (number, lamp) in scene.scene.lamps.iter().take(lamps).enumerate() {

@@ -1,5 +1,7 @@
 //! A scene with its limits: what is seen along a ray.
 
+mod cover;
+
 use crate::color::Rgb;
 use crate::needs::Needs;
 use crate::ray::Ray;
@@ -68,7 +70,7 @@ impl<'a, S: Scalar> World<'a, S> {
             }),
         });
         let Some((spot, color, number, extent, face)) = found else {
-            return Seen::Light(self.scene.sky.radiance::<N>(ray.direction));
+            return Seen::Light(self.scene.radiance::<N>(ray.direction));
         };
         let SurfacePoint { distance, point, normal } = spot;
         let inside = normal.dot(ray.direction) > S::Unit::ZERO;
@@ -77,7 +79,7 @@ impl<'a, S: Scalar> World<'a, S> {
         let face = face.map(|face| if inside { -face } else { face });
         let incoming = ray.direction;
         let material = self.scene.material(number);
-        Seen::Surface(Surface {
+        let mut surface = Surface {
             point,
             normal,
             face,
@@ -87,7 +89,12 @@ impl<'a, S: Scalar> World<'a, S> {
             extent,
             color,
             material,
+            surroundings: false,
             number,
-        })
+        };
+        if let Some(Hit { object, .. }) = hit {
+            self.cover::<N>(&mut surface, object);
+        }
+        Seen::Surface(surface)
     }
 }

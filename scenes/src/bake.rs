@@ -35,9 +35,11 @@ pub use crate::format::Format;
 use crate::lines::OutOfRange;
 pub use crate::model::Model;
 use crate::narrow::{NarrowError, narrow};
+use crate::pictures::PictureError;
 use crate::shading::middle;
 use crate::{in_format, read};
 
+mod coats;
 mod literal;
 mod model;
 mod module;
@@ -45,6 +47,9 @@ mod module;
 mod tests;
 
 use literal::Literal;
+
+/// The most pixels on a side that a picture keeps in a baked scene: 16 KiB of flash for a square one.
+pub const TEXELS: u32 = 64;
 
 /// How a scene is baked.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -79,6 +84,8 @@ pub enum BakeError {
     NoBuildScript,
     /// The scene file is wrong.
     Scene(SceneError),
+    /// A picture that the scene names cannot be used.
+    Picture(PictureError),
     /// A number of the scene does not fit the number format.
     Narrow(NarrowError),
     /// A ray of the scene may leave the number format.
@@ -91,6 +98,7 @@ impl fmt::Display for BakeError {
             Self::File { path, source } => write!(f, "{}: {source}", path.display()),
             Self::NoBuildScript => f.write_str("OUT_DIR is not set: a scene is baked by a build script"),
             Self::Scene(error) => error.fmt(f),
+            Self::Picture(error) => error.fmt(f),
             Self::Narrow(error) => error.fmt(f),
             Self::Range(error) => error.fmt(f),
         }
@@ -109,6 +117,12 @@ impl core::error::Error for BakeError {
 impl From<SceneError> for BakeError {
     fn from(error: SceneError) -> Self {
         Self::Scene(error)
+    }
+}
+
+impl From<PictureError> for BakeError {
+    fn from(error: PictureError) -> Self {
+        Self::Picture(error)
     }
 }
 
@@ -141,18 +155,23 @@ fn out_dir(path: &Path, recipe: impl FnOnce(&Description) -> Recipe) -> Result<P
         let path = path.to_owned();
         move |source| BakeError::File { path, source }
     };
-    #[allow(clippy::disallowed_macros)] // Cargo reads it
-    {
-        println!("cargo::rerun-if-changed={}", path.display());
-    }
+    depends_on(path);
     let folder = env::var_os("OUT_DIR").ok_or(BakeError::NoBuildScript)?;
     let text = fs::read(path).map_err(failed(path))?;
     let name = path.display().to_string();
-    let scene = read(&text, &name)?;
+    let mut scene = read(&text, &name)?;
+    let pictures = scene.load_pictures(path.parent().unwrap_or_else(|| Path::new("")), TEXELS)?;
+    pictures.iter().for_each(|path| depends_on(path));
     let source = module(&scene, &name, &recipe(&scene))?;
     let out = Path::new(&folder).join(path.file_stem().unwrap_or("scene".as_ref())).with_extension("rs");
     fs::write(&out, source).map_err(failed(&out))?;
     Ok(out)
+}
+
+/// Tells Cargo that what is baked depends on a file.
+#[allow(clippy::disallowed_macros)] // Cargo reads it
+fn depends_on(path: &Path) {
+    println!("cargo::rerun-if-changed={}", path.display());
 }
 
 /// The Rust source of a scene that is called `name`.

@@ -21,7 +21,7 @@ pub use camera::{Camera, Optics, Side};
 pub use details::{Detail, Details, LampShape, Shading};
 pub use material::{Coefficients, Dispersion, Edge, Kind, Material, Slope};
 pub use settings::{ModelOption, Settings};
-pub use texture::{Axis, Pattern, Texture};
+pub use texture::{Axis, Pattern, Pixels, Texture};
 
 /// A whole scene.
 #[derive(Clone, Debug, PartialEq)]

@@ -103,6 +103,10 @@ impl Description {
             scale(&mut texture.at);
             texture.scale *= factor;
         }
+        self.materials
+            .iter_mut()
+            .filter_map(|own| own.bump.as_mut())
+            .for_each(|(_, height)| *height *= factor);
         for left in self.materials.iter_mut().filter_map(|material| material.absorb.as_mut()) {
             left.iter_mut().for_each(|part| *part = part.powf(1.0 / factor).clamp(f64::MIN_POSITIVE, 1.0));
         }

@@ -7,6 +7,7 @@ use rta_core::light::Lamp;
 use rta_core::material::Material;
 use rta_core::scene::{Scene, Sky};
 use rta_core::shape::{Cone, Cylinder, Ellipsoid, Floor, Plane, Sphere, Triangle};
+use rta_core::texture::Coat;
 use rta_core::vector::Vector;
 
 use crate::description::{self, Description, Side};
@@ -14,6 +15,7 @@ use crate::space::{cross, unit};
 
 pub mod air;
 mod check;
+mod coats;
 mod cone;
 mod error;
 mod formats;
@@ -86,6 +88,10 @@ pub struct Narrowed<S: Scalar> {
     pub materials: Vec<Material<S>>,
     /// What the scene says of each of the materials, for models that have parameters of their own.
     pub said: Vec<description::Material>,
+    /// What covers the materials, in the order of their numbers as far as any is covered, and then the sky.
+    pub coats: Vec<Coat<S>>,
+    /// Words that coats look up.
+    pub pool: Vec<u32>,
     /// The options of the illumination model that the scene is made for.
     pub options: Options,
     /// The floor.
@@ -108,6 +114,8 @@ impl<S: Scalar> Narrowed<S> {
             planes: &self.planes,
             lamps: &self.lamps,
             materials: &self.materials,
+            coats: &self.coats,
+            pool: &self.pool,
             floor: self.floor,
             sky: self.sky,
             ambient: self.ambient,
@@ -227,6 +235,7 @@ pub fn narrow<S: Narrow>(description: &Description, aspect: f64) -> Result<Narro
             })
         }
     };
+    let (coats, pool) = coats::narrow(description, &materials.said)?;
     Ok(Narrowed {
         camera: camera(&description.camera, aspect)?,
         cylinders,
@@ -238,6 +247,8 @@ pub fn narrow<S: Narrow>(description: &Description, aspect: f64) -> Result<Narro
         lamps,
         materials: materials.narrowed,
         said: materials.said,
+        coats,
+        pool,
         options: Options::of(description),
         floor,
         sky: Sky {

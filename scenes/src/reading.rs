@@ -13,4 +13,6 @@ pub struct Reading {
     pub one_sided: bool,
     /// Air that takes the place of the scene's.
     pub air: Option<Air>,
+    /// The most pixels on a side that a picture of a texture or of the sky keeps; 0 leaves pictures unread.
+    pub texels: Option<u32>,
 }

@@ -198,6 +198,7 @@ impl<'a> Answers<'a> {
             extent: 1.0,
             color: Rgb::new(r, g, b),
             material,
+            surroundings: false,
             number,
         };
         [false, true].into_iter().flat_map(move |inside| VIEWS.map(|angle| (angle, sample(inside, angle))))

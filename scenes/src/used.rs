@@ -4,6 +4,7 @@ use rta_core::material::{Finish, Material};
 use rta_core::needs::{Everything, Needs, Used};
 use rta_core::scalar::{Scalar, Unit};
 use rta_core::scene::Scene;
+use rta_core::texture::Pattern;
 
 /// Returns what a scene uses. `specular` is the illumination model's
 /// [`SPECULAR`](rta_core::illumination::Illumination::SPECULAR).
@@ -35,6 +36,22 @@ pub fn by<S: Scalar>(scene: &Scene<S>, specular: bool) -> Used {
     used.several_lamps = used.lamps && scene.lamps.len() > 1;
     used.attenuation = used.lamps && !specular;
     used.shadows = used.lamps;
+    for coat in scene.coats.iter().take(scene.materials.len()) {
+        used.coats = true;
+        let is_bumped = coat.bump.is_some();
+        (used.bumps, used.normals) = (used.bumps | is_bumped, used.normals | is_bumped);
+        used.surroundings |= coat.surroundings && used.mirror;
+        let patterns = coat.texture.iter().chain(coat.bump.iter().map(|bump| &bump.texture));
+        for texture in patterns {
+            match texture.pattern {
+                Pattern::Checker => used.checker = true,
+                Pattern::Marble { .. } => used.marble = true,
+                Pattern::Wood { .. } => used.wood = true,
+                Pattern::Image(_) => used.images = true,
+            }
+        }
+    }
+    used.sky_map = scene.coats.len() > scene.materials.len();
     used.transparent_shadows = used.lamps && used.glass;
     used
 }

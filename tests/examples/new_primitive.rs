@@ -73,6 +73,7 @@ fn seen<S: Scalar>(disc: &Disc<S>, ray: &Ray<S>, lamp: &Lamp<S>) -> Option<Rgb<S
         extent,
         color,
         material: &Material::Opaque, // a scene knows it by its number
+        surroundings: false,
         number,
     };
     let incident = Incident::new(lamp, point, normal)?;

@@ -69,6 +69,7 @@ impl<S: Measure> Point<S> {
             extent: S::length(1.0),
             color: self.color,
             material: &self.material,
+            surroundings: false,
             number: self.number,
         }
     }

@@ -7,6 +7,7 @@
 //! ```
 
 use core::sync::atomic::AtomicBool;
+use std::path::Path;
 
 use rta::args::{ShowArgs, TracingArgs};
 use rta::coloring::DitherKind;
@@ -18,6 +19,7 @@ use rta::picture::output::Inputs;
 use rta::raster::{Aspect, Size};
 use rta::render::Work;
 use rta::scene::Scene;
+use rta_scenes::bake::TEXELS;
 use rta_scenes::error::SceneError;
 
 /// Pixels of a scene that does not say how many it has, and samples of each.
@@ -72,7 +74,9 @@ impl Example {
         let has_raster = self.text.lines().any(|line| line.starts_with("picture "));
         let text = self.text.clone() + if has_raster { "" } else { RASTER };
         let source = format!("{}.rta", self.name);
-        let description = rta_scenes::read(text.as_bytes(), &source)?;
+        let mut description = rta_scenes::read(text.as_bytes(), &source)?;
+        let folder = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../scenes"));
+        description.load_pictures(folder, TEXELS).unwrap_or_else(|error| panic!("{source}: {error}"));
         Ok(Scene { source, title: self.name.clone(), description, inputs: Inputs::default() })
     }
 

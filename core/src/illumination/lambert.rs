@@ -116,6 +116,7 @@ mod tests {
                 color: white,
                 material: &Material::Opaque,
                 number: 0,
+                surroundings: false,
             };
             let mut incident = Incident::new(&lamp, surface.point, surface.normal).expect("it is above");
             incident.cosine = unit(cosine);

@@ -10,7 +10,7 @@ use fixed::FixedI32;
 use fixed::types::extra::LeEqU32;
 use fixed::types::{I2F30, I12F20, I16F16};
 
-use super::integer::{self, Reciprocal, arc_squared, exp2_minus, minus_log2, shift_right, wide};
+use super::integer::{self, Reciprocal, arc_squared, exp2_minus, minus_log2, shift_right, turn, wide};
 use super::vector::{UnitVector, Xyz};
 use super::{Light, Magnitude, Number, Unit};
 
@@ -98,6 +98,13 @@ impl Unit for I2F30 {
         }
         let bits = (bits / 2 + bits % 2).min(i32::MAX.cast_unsigned()).cast_signed();
         Self::from_bits(if numerator < 0 { -bits } else { bits })
+    }
+    fn of_level(level: i32) -> Self {
+        // 2^30 / 65535 is 2^14 + 1/4, and a little.
+        Self::from_bits((level << (UNIT_BITS - 16)) + ((level + 2) >> 2))
+    }
+    fn turn(x: Self, y: Self) -> Self {
+        Self::from_bits(turn(x.to_bits(), y.to_bits()))
     }
     #[cfg_attr(not(target_os = "none"), inline)]
     fn times(self, factor: Self) -> Self {

@@ -2,20 +2,24 @@
 //! results are the same on every processor with IEEE 754 arithmetic.
 #![allow(clippy::float_arithmetic)] // the one file of the core that has floats
 
+use super::magnitude::size32;
+#[cfg(feature = "f64")]
+use super::magnitude::size64;
 use super::vector::{LengthVector, Plan, UnitVector, Vector};
 use super::{Light, Magnitude, Number, Positive, Scalar, Unit};
 
 mod single {
-    pub(super) use core::f32::consts::FRAC_2_SQRT_PI;
+    pub(super) use core::f32::consts::{FRAC_2_SQRT_PI, PI};
     pub(super) use libm::{
-        asinf as asin, erfcf as erfc, exp2f as exp2, expf as exp, ldexpf as ldexp, powf as pow, sqrtf as sqrt,
+        asinf as asin, atan2f as atan2, erfcf as erfc, exp2f as exp2, expf as exp, ldexpf as ldexp,
+        powf as pow, sqrtf as sqrt,
     };
 }
 
 #[cfg(feature = "f64")]
 mod double {
-    pub(super) use core::f64::consts::FRAC_2_SQRT_PI;
-    pub(super) use libm::{asin, erfc, exp, exp2, ldexp, pow, sqrt};
+    pub(super) use core::f64::consts::{FRAC_2_SQRT_PI, PI};
+    pub(super) use libm::{asin, atan2, erfc, exp, exp2, ldexp, pow, sqrt};
 }
 
 macro_rules! float {
@@ -39,6 +43,13 @@ macro_rules! float {
             }
             fn fraction(numerator: i32, denominator: u32) -> Self {
                 numerator as $f / denominator as $f
+            }
+            fn of_level(level: i32) -> Self {
+                level as $f / 65_535.0
+            }
+            fn turn(x: Self, y: Self) -> Self {
+                // The other end of the half circle for a y of -0.
+                $libm::atan2(y + 0.0, x) / (2.0 * $libm::PI)
             }
             fn times(self, factor: Self) -> Self {
                 self * factor
@@ -179,6 +190,13 @@ macro_rules! float {
             fn at_one_place(self, extent: Self, cosine: Self) -> Self {
                 (self + 2.0 * <$f>::EPSILON * (self + extent) / cosine).min($far)
             }
+            #[allow(clippy::cast_possible_truncation)] // a float's cast saturates; then the low word is asked for
+            fn lattice(self, frequency: u32) -> i32 {
+                libm::floor(f64::from(self) * f64::from(frequency) / 256.0) as i64 as i32
+            }
+            fn of_lattice(place: i32) -> Self {
+                place as $f / 65_536.0
+            }
             #[cfg_attr(target_os = "none", inline(never))] // four places ask
             #[allow(clippy::cast_possible_truncation, clippy::cast_precision_loss)] // within its digits
             fn odd_tile(self, tile: Option<Self>) -> bool {
@@ -304,26 +322,3 @@ macro_rules! float {
 float!(f32, glam::Vec3, single, i32, 1e18, size32);
 #[cfg(feature = "f64")]
 float!(f64, glam::DVec3, double, i64, 1e150, size64);
-
-/// Returns the size of an `f32`.
-const fn size32(value: f32) -> Magnitude {
-    size(value.to_bits() as u64, 23, 0xff)
-}
-
-/// Returns the size of an `f64`.
-#[cfg(feature = "f64")]
-const fn size64(value: f64) -> Magnitude {
-    size(value.to_bits(), 52, 0x7ff)
-}
-
-/// Returns the size of a number from its bits (IEEE 754), of which `digits` are the fraction, and its largest exponent; of one
-/// that is not finite, larger than any other.
-#[allow(clippy::cast_possible_truncation)] // 11 bits
-const fn size(bits: u64, digits: u32, most: u64) -> Magnitude {
-    let (exponent, fraction) = (bits >> digits & most, bits & ((1 << digits) - 1));
-    let last_place = exponent as i32 - (most / 2) as i32 - digits.cast_signed();
-    match exponent {
-        0 => Magnitude::new(fraction, last_place + 1),
-        _ => Magnitude::new(fraction | 1 << digits, last_place),
-    }
-}

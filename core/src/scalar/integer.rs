@@ -4,6 +4,7 @@
 
 pub use exponential::{exp2_minus, minus_log2};
 pub use rough::{arc_squared, shadow};
+pub use turn::turn;
 
 /// A positive number `m / 2^(30 + e)`, `m` in [2^30, 2^31], as a reciprocal of an integer between 1 and 2^32.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -30,6 +31,7 @@ macro_rules! table {
 
 mod exponential;
 mod rough;
+mod turn;
 
 /// First guess of [`rsqrt`]: `2^14 / sqrt(i / 64)` for `i` in `16..=64`, at most 2^15.
 const GUESS: [u16; 49] = table!(49, i => ((64u64 << 28) / (i as u64 + 16)).isqrt() as u16);
@@ -159,7 +161,7 @@ pub(crate) fn wide(a: i32, b: i32) -> i64 {
 
 /// Returns the product of a signed and an unsigned word.
 #[inline(always)]
-fn wide_mixed(a: i32, b: u32) -> i64 {
+pub(crate) fn wide_mixed(a: i32, b: u32) -> i64 {
     if !HALVES {
         return i64::from(a) * i64::from(b);
     }

@@ -157,6 +157,29 @@ fn four_digits(mut value: u64, mut exponent: i32) -> (u64, i32) {
     (value, power)
 }
 
+/// Returns the size of an `f32`.
+pub(super) const fn size32(value: f32) -> Magnitude {
+    size(value.to_bits() as u64, 23, 0xff)
+}
+
+/// Returns the size of an `f64`.
+#[cfg(feature = "f64")]
+pub(super) const fn size64(value: f64) -> Magnitude {
+    size(value.to_bits(), 52, 0x7ff)
+}
+
+/// Returns the size of a number from its bits (IEEE 754), of which `digits` are the fraction, and its largest exponent; of one
+/// that is not finite, larger than any other.
+#[allow(clippy::cast_possible_truncation)] // 11 bits
+const fn size(bits: u64, digits: u32, most: u64) -> Magnitude {
+    let (exponent, fraction) = (bits >> digits & most, bits & ((1 << digits) - 1));
+    let last_place = exponent as i32 - (most / 2) as i32 - digits.cast_signed();
+    match exponent {
+        0 => Magnitude::new(fraction, last_place + 1),
+        _ => Magnitude::new(fraction | 1 << digits, last_place),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     extern crate std;

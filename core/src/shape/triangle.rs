@@ -86,6 +86,30 @@ impl<S: Scalar> Triangle<S> {
         is_met.then(|| Meeting { distance, place: (-foot).along(direction, way), areas })
     }
 
+    /// Returns the barycentric coordinates of a place of the triangle: 0 or more each, and 1 in all. They are areas as seen along the axis that is
+    /// nearest to the normal.
+    pub fn weights(&self, place: Vec3<S>) -> [S::Unit; 3] {
+        let size = |c: S::Unit| if c < S::Unit::ZERO { -c } else { c };
+        let (x, y, z) = (size(self.normal.x()), size(self.normal.y()), size(self.normal.z()));
+        let is_x = x >= y && x >= z;
+        let is_z = !is_x && z >= y;
+        let flat = |v: Vec3<S>| (if is_x { v.y() } else { v.x() }, if is_z { v.y() } else { v.z() });
+        let area = |(a, b): (S, S), (c, d): (S, S)| a.product(d) - c.product(b);
+        let [corner, second, third] = self.vertices;
+        let [place, second, third] = [place - corner, second - corner, third - corner].map(flat);
+        let zero = S::ZERO.square();
+        let whole = area(second, third);
+        let share = |part: S::Wide| {
+            // The place may be a rounding beyond an edge.
+            let is_inside = (part > zero) == (whole > zero);
+            if is_inside { S::part(part, whole) } else { S::Unit::ZERO }
+        };
+        let (b, c) = (share(area(place, third)), share(area(second, place)));
+        let rest = S::Unit::ONE - b;
+        let c = if c > rest { rest } else { c };
+        [rest - c, b, c]
+    }
+
     /// Returns the vertices' normals, interpolated by barycentric coordinates; `None` where they cancel out.
     fn curved(areas: [S::Wide; 3], normals: [UnitVec3<S>; 3]) -> Option<UnitVec3<S>> {
         let ([first, second, third], [a, b, c]) = (normals, areas);

@@ -11,6 +11,7 @@ use crate::ray::RayKind;
 pub use crate::ray::Start;
 use crate::scalar::vector::{UnitVec3, UnitVector};
 use crate::scalar::{Light, Scalar, Unit};
+use crate::scene::Scene;
 use crate::surface::Surface;
 
 /// The place of a ray in the ray tree.
@@ -32,6 +33,24 @@ impl<W> Branch<W> {
     {
         Self { weight: W::WHOLE, depth: 0, kind: RayKind::Primary }
     }
+}
+
+/// Returns the radiance that a surface sends back without its lamps and its secondary rays: of ambient light, and of the sky where that is all
+/// that its mirror ray sees.
+pub fn own<S: Scalar, M: Illumination<S>, N: Needs>(
+    model: &M,
+    surface: &Surface<S>,
+    scene: &Scene<S>,
+) -> Rgb<S::Light> {
+    let light = model.ambient::<N>(surface, scene.ambient);
+    if N::SURROUNDINGS
+        && surface.surroundings
+        && let Some(weight) = model.secondary::<N>(surface).reflected
+    {
+        let direction = surface.fold::<N>(surface.incoming.reflect(surface.normal), true);
+        return light.plus(weight.filter(scene.radiance::<N>(direction)));
+    }
+    light
 }
 
 /// Returns the radiance that a surface sends back of a lamp, before shadows: black where the lamp is behind the surface, unless
@@ -75,7 +94,8 @@ pub fn branch<S: Scalar, M: Illumination<S>, N: Needs>(
         let weight = parent.weight.compose(weight);
         (!weight.is_below(cutoff)).then(|| Branch { weight, depth: parent.depth + 1, kind })
     };
-    let (mut transmitted, mut mirrored) = (None, secondary.reflected);
+    let is_traced = !(N::SURROUNDINGS && surface.surroundings);
+    let (mut transmitted, mut mirrored) = (None, secondary.reflected.filter(|_| is_traced));
     if N::GLASS
         && let Some(through) = secondary.transmitted
     {

@@ -6,6 +6,7 @@ use clap::Args;
 
 use rta_scenes::Reading;
 use rta_scenes::description::Air;
+use rta_scenes::pictures::LARGEST_SIDE;
 
 use super::choice;
 use crate::engine::{Format, Model};
@@ -28,11 +29,14 @@ pub struct ReadingArgs {
     /// fog:S and fog:R:G:B leave exp(-S d). Lengths are in units of the scene.
     #[arg(long, value_name = "AIR")]
     pub air: Option<Air>,
+    /// The most pixels on a side that a picture of a texture or of the sky keeps [default: 1024, and 64 where it is baked]
+    #[arg(long, value_name = "N", value_parser = choice::whole(1..=LARGEST_SIDE))]
+    pub texels: Option<u32>,
 }
 
 impl From<ReadingArgs> for Reading {
-    fn from(ReadingArgs { lenient, one_sided, air }: ReadingArgs) -> Self {
-        Self { lenient, one_sided, air }
+    fn from(ReadingArgs { lenient, one_sided, air, texels }: ReadingArgs) -> Self {
+        Self { lenient, one_sided, air, texels }
     }
 }
 

@@ -4,6 +4,7 @@ use core::fmt::Write;
 use core::sync::atomic::AtomicBool;
 
 use rta_core::color::Rgb;
+use rta_scenes::Reading;
 use rta_scenes::bake::{self, BakeError, Recipe};
 
 use crate::args::{BakeArgs, TracingArgs};
@@ -22,7 +23,9 @@ use crate::request::scene_file::SceneFile;
 /// # Errors
 /// Those of reading the scene and of writing the source, and [`RequestError::Refused`](crate::request::error::RequestError::Refused).
 pub fn run(args: &BakeArgs) -> Result<(), Error> {
-    let scene = SceneFile::open_as(&args.scene, args.reading.into())?;
+    let reading = Reading::from(args.reading);
+    let reading = Reading { texels: reading.texels.or(Some(bake::TEXELS)), ..reading };
+    let scene = SceneFile::open_as(&args.scene, reading)?;
     let aspect = args.aspect.ratio();
     let model = args.model.unwrap_or(scene.description.model);
     let fit = Fit { format: args.format, aspect, model: Some(model), depth: 0, asked: args.fit };

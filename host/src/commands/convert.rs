@@ -1,6 +1,6 @@
 //! `rta convert`: a scene in another format; and `rta help scene`, what the language of scenes is.
 
-use rta_scenes::rta;
+use rta_scenes::{Reading, rta};
 
 use crate::args::ConvertArgs;
 use crate::error::Error;
@@ -19,7 +19,9 @@ pub fn run(args: &ConvertArgs) -> Result<(), Error> {
     if !(is("rta") || is("dat") || is_stdout) {
         return Err(RequestError::SceneType { name: args.output.display().to_string() }.into());
     }
-    let scene = SceneFile::open_as(&args.scene, args.reading.into())?;
+    // The pictures stay where they are.
+    let reading = Reading { texels: Some(0), ..args.reading.into() };
+    let scene = SceneFile::open_as(&args.scene, reading)?;
     let text = if is("dat") {
         let unsayable = || RequestError::Unsayable { name: scene.source.clone() };
         scene.description.to_dat().ok_or_else(unsayable)?

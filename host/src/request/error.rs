@@ -5,6 +5,7 @@ use std::io;
 
 use rta_scenes::error::{Found, SceneError};
 use rta_scenes::fit::FloorError;
+use rta_scenes::pictures::PictureError as LoadError;
 
 use crate::engine::admission::Refusal;
 use crate::engine::{EngineError, Format};
@@ -26,6 +27,14 @@ pub enum RequestError {
     /// The scene file is not a scene.
     #[error("{_0}{}", lenient_helps(_0))]
     Scene(#[from] SceneError),
+    /// A picture that the scene names cannot be used.
+    #[error("{name}: {source}")]
+    Texture {
+        /// Name of the scene.
+        name: String,
+        /// Which picture, and why not.
+        source: LoadError,
+    },
     /// The scene cannot be traced as asked.
     #[error("{name}: {source}")]
     Engine {

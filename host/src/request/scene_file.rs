@@ -24,6 +24,9 @@ fn limit() -> u64 {
     kilobytes.map_or(LEAST_LIMIT, |size| (size.saturating_mul(1024) / 8).max(LEAST_LIMIT))
 }
 
+/// The most pixels on a side that a texture's picture keeps: as many as a window shows of it.
+const TEXELS: u32 = 1024;
+
 /// The contents of a scene file, and its names.
 #[derive(Clone, Debug)]
 pub struct SceneFile {
@@ -83,7 +86,14 @@ impl SceneFile {
             let text = read(&file, &name, limit())?;
             (name.clone(), stem.unwrap_or(name), text, Inputs::file(&file))
         };
-        Ok((Self { inputs, ..Self::parse(&name, &title, &text, reading)? }, text))
+        let mut scene = Self { inputs, ..Self::parse(&name, &title, &text, reading)? };
+        let texels = reading.texels.unwrap_or(TEXELS);
+        if texels > 0 {
+            let folder = path.parent().unwrap_or_else(|| Path::new(""));
+            let loaded = scene.description.load_pictures(folder, texels);
+            loaded.map_err(|source| RequestError::Texture { name: scene.source.clone(), source })?;
+        }
+        Ok((scene, text))
     }
 
     /// Returns the three scenes of the thesis, which are part of the program, with their texts.

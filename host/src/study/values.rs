@@ -5,6 +5,7 @@ use std::io::{self, Read};
 use std::path::Path;
 
 use rta_scenes::in_format;
+use rta_scenes::narrow::Narrow;
 
 use super::error::StudyError;
 use crate::args::ValuesArgs;
@@ -15,6 +16,7 @@ mod albedo;
 mod frame;
 mod functions;
 mod notation;
+mod texture;
 
 pub use functions::Function;
 pub use notation::{Statement, statements};
@@ -42,10 +44,15 @@ impl Comparison {
     }
 }
 
+/// Returns all functions, as they are computed in the format `S`.
+fn all<S: Narrow>() -> Vec<Function> {
+    [functions::all::<S>(), texture::all::<S>()].concat()
+}
+
 /// Returns the names of all functions.
 #[must_use]
 pub fn names() -> Vec<&'static str> {
-    functions::all::<f64>().iter().map(|function| function.name).collect()
+    all::<f64>().iter().map(|function| function.name).collect()
 }
 
 /// Compares all values that a text states with what the program computes in a number format. They agree where they differ by at
@@ -55,7 +62,7 @@ pub fn names() -> Vec<&'static str> {
 /// # Errors
 /// [`StudyError::Function`] for a name that is not known, and [`StudyError::Arguments`] for too few or too many of them.
 pub fn compare(text: &str, format: Format, tolerance: Option<f64>) -> Result<Vec<Comparison>, StudyError> {
-    let known = in_format!(format, S => functions::all::<S>());
+    let known = in_format!(format, S => all::<S>());
     let statements = statements(text).into_iter();
     // All names are looked up before anything is computed.
     let found = statements.map(|stated| function(&known, &stated).map(|function| (stated, function)));

@@ -1,12 +1,14 @@
 //! Numbers as Rust expressions that are constant and exact to the bit.
 
+use rta_core::color::Rgb;
 use rta_core::scalar::{Magnitude, Scalar};
+use rta_core::vector::{UnitVec3, Vec3, Vector};
 use rta_core::{Q16, Q20};
 
 use crate::narrow::Narrow;
 
 /// A number format whose numbers can be written as expressions. They use the names that
-/// [`write`](super::module::write) defines: `length`, `unit`, `light`.
+/// a baked module defines: `length`, `unit`, `light`.
 pub(super) trait Literal: Narrow {
     /// The path of the type.
     const PATH: &'static str;
@@ -93,3 +95,28 @@ macro_rules! float {
 
 float!(f32, "f32", "u32");
 float!(f64, "f64", "u64");
+
+pub(super) fn length<S: Literal>(length: S) -> String {
+    format!("length({})", length.length_bits())
+}
+
+pub(super) fn unit<S: Literal>(unit: S::Unit) -> String {
+    format!("unit({})", S::unit_bits(unit))
+}
+
+pub(super) fn place<S: Literal>(v: Vec3<S>) -> String {
+    format!("Place::new({}, {}, {})", length(v.x()), length(v.y()), length(v.z()))
+}
+
+pub(super) fn direction<S: Literal>(v: UnitVec3<S>) -> String {
+    format!("Direction::new({}, {}, {})", unit::<S>(v.x()), unit::<S>(v.y()), unit::<S>(v.z()))
+}
+
+pub(super) fn color<S: Literal>(c: Rgb<S::Unit>) -> String {
+    format!("Rgb::new({}, {}, {})", unit::<S>(c.r), unit::<S>(c.g), unit::<S>(c.b))
+}
+
+pub(super) fn light<S: Literal>(c: Rgb<S::Light>) -> String {
+    let bits = |light| format!("light({})", S::light_bits(light));
+    format!("Rgb::new({}, {}, {})", bits(c.r), bits(c.g), bits(c.b))
+}

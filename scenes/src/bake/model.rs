@@ -10,8 +10,8 @@ use rta_core::illumination::table::{Exact, PositiveOf, Reflection, Row, Tabled, 
 use rta_core::scalar::Unit;
 
 use super::Model;
-use super::literal::Literal;
-use super::module::{ALLOW, color, exponent, length, light, unit, write_names};
+use super::literal::{Literal, color, length, light, unit};
+use super::module::{ALLOW, exponent, write_names};
 use crate::description::Air;
 use crate::narrow::Narrowed;
 use crate::narrow::air::{Layer, layers};

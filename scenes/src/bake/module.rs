@@ -2,16 +2,15 @@
 
 use core::fmt::{self, Write};
 
-use rta_core::color::Rgb;
 use rta_core::material::{Finish, Glass, Material};
 use rta_core::needs::Used;
 use rta_core::scalar::Exponent;
 use rta_core::scene::Limits;
 use rta_core::shape::Cone;
-use rta_core::vector::{UnitVec3, Vec3, Vector};
 
 use super::Recipe;
-use super::literal::Literal;
+use super::coats;
+use super::literal::{Literal, color, direction, length, light, place, unit};
 use crate::accelerator::bvh::Built;
 use crate::narrow::{Narrow, Narrowed};
 
@@ -56,7 +55,7 @@ pub(super) fn write<S: Literal>(
         "    ::rta_core::range::Admitted::baked(\n        ::rta_core::scene::Scene {{\n            \
          cylinders: &CYLINDERS,\n            ellipsoids: &ELLIPSOIDS,\n            spheres: &SPHERES,\n            \
          cones: &CONES,\n            triangles: &TRIANGLES,\n            planes: &PLANES,\n            lamps: &LAMPS,\n            \
-         materials: &MATERIALS,"
+         materials: &MATERIALS,\n            coats: &COATS,\n            pool: &POOL,"
     )?;
     match &scene.floor {
         None => writeln!(out, "            floor: None,")?,
@@ -231,6 +230,7 @@ fn write_lists<S: Literal>(out: &mut impl Write, scene: &Narrowed<S>) -> fmt::Re
         materials.len(),
         materials.join(", ")
     )?;
+    coats::write(out, scene)?;
     write_list(out, "LAMPS", "light::Lamp", &lamps.collect::<Vec<_>>())
 }
 
@@ -245,31 +245,6 @@ fn write_hierarchy<S: Literal>(out: &mut impl Write, hierarchy: &Built<S>) -> fm
         writeln!(out, "        ::rta_core::scene::Object::{object:?},")?;
     }
     writeln!(out, "    ];")
-}
-
-pub(super) fn length<S: Literal>(length: S) -> String {
-    format!("length({})", length.length_bits())
-}
-
-pub(super) fn unit<S: Literal>(unit: S::Unit) -> String {
-    format!("unit({})", S::unit_bits(unit))
-}
-
-fn place<S: Literal>(v: Vec3<S>) -> String {
-    format!("Place::new({}, {}, {})", length(v.x()), length(v.y()), length(v.z()))
-}
-
-fn direction<S: Literal>(v: UnitVec3<S>) -> String {
-    format!("Direction::new({}, {}, {})", unit::<S>(v.x()), unit::<S>(v.y()), unit::<S>(v.z()))
-}
-
-pub(super) fn color<S: Literal>(c: Rgb<S::Unit>) -> String {
-    format!("Rgb::new({}, {}, {})", unit::<S>(c.r), unit::<S>(c.g), unit::<S>(c.b))
-}
-
-pub(super) fn light<S: Literal>(c: Rgb<S::Light>) -> String {
-    let bits = |light| format!("light({})", S::light_bits(light));
-    format!("Rgb::new({}, {}, {})", bits(c.r), bits(c.g), bits(c.b))
 }
 
 fn material<S: Literal>(material: &Material<S>) -> String {

@@ -1,8 +1,11 @@
 //! What few things of a scene have, kept beside them, so that the many others need not hold it.
 
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 use rta_core::scene::Object;
+
+use super::Pixels;
 
 /// What few objects, lamps, floors and skies have.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -15,6 +18,8 @@ pub struct Details {
     pub tile: Option<f64>,
     /// File with a picture of the sky, beside that of the scene.
     pub sky_map: Option<String>,
+    /// The pictures that the scene names, by the names of their files, as far as they were [loaded](super::Description::load_pictures).
+    pub pictures: BTreeMap<String, Arc<Pixels>>,
 }
 
 /// The shape of a lamp that is no sphere. As long as nothing draws it, a sphere stands for it in

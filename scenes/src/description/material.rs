@@ -49,6 +49,8 @@ pub struct Material {
     pub edge: Option<Edge>,
     /// Whether it is a thin wall: light goes straight through.
     pub thin: bool,
+    /// Whether its mirror rays see the sky alone, and no things.
+    pub surroundings: bool,
     /// Name of the texture that gives its colour.
     pub texture: Option<String>,
     /// Name of the texture that gives its bumps, and their height.

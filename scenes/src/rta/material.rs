@@ -69,6 +69,7 @@ impl<'a> Reader<'a> {
             made.edge = Some(Edge { exponent, least: edge.number(1), most: edge.number(2) });
         }
         made.thin |= said.has("thin");
+        made.surroundings |= said.has("surroundings");
         if said.has("slope") {
             made.slopes = slopes(said)?;
         }

@@ -144,7 +144,12 @@ const ONCE: &[Statement] = &[
             one(0, "", &[V("colour", Color(NotNegative))], "one colour").default("black"),
             one(0, "horizon", &[V("horizon", Color(NotNegative))], "its colour at the horizon")
                 .tail(&[must("zenith", &[V("zenith", Color(NotNegative))], "its colour straight up")]),
-            one(0, "map", &[V("file", File)], "a picture, as latitudes and longitudes; kept, not drawn yet"),
+            one(
+                0,
+                "map",
+                &[V("file", File)],
+                "a picture of all directions, the zenith above, longitudes from x towards y",
+            ),
         ],
     ),
     once(

@@ -36,7 +36,6 @@ impl<'a> Reader<'a> {
         };
         let (at, scale) = (said.triple("at").unwrap_or_default(), said.number("scale").unwrap_or(1.0));
         self.scene.textures.push(Texture { name: name.into(), pattern, at, scale, line: said.place.0 });
-        self.undrawn("textures", said.place.0);
         Ok(())
     }
 

@@ -192,7 +192,6 @@ impl<'a> Reader<'a> {
 
     pub(super) fn sky(&mut self, said: &Said<'a>) -> Result<(), SceneError> {
         if let Some(map) = said.part("map") {
-            self.undrawn("the map of the sky", said.place.0);
             self.scene.details.sky_map = Some(map.word(0).0.to_owned());
             return Ok(());
         }

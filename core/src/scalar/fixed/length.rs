@@ -3,7 +3,9 @@
 use fixed::types::{I2F30, I12F20, I16F16, I24F40, I32F32};
 
 use super::{LIGHT_BITS, Radiance, UNIT_BITS, normalize, radiance, round, saturate, word};
-use crate::scalar::integer::{self, Reciprocal, shift_right, shift_right_by, wide, wide_unsigned};
+use crate::scalar::integer::{
+    self, Reciprocal, shift_right, shift_right_by, wide, wide_mixed, wide_unsigned,
+};
 use crate::scalar::vector::{LengthVector, Plan, Xyz};
 use crate::scalar::{Magnitude, Number, Scalar};
 
@@ -122,6 +124,13 @@ macro_rules! fixed_point {
                     None => integer::odd_third(place >> $bits),
                     Some(tile) => integer::odd_part(place, tile.to_bits().unsigned_abs()),
                 }
+            }
+            #[allow(clippy::cast_possible_truncation)] // the low word is asked for
+            fn lattice(self, frequency: u32) -> i32 {
+                (wide_mixed(self.to_bits(), frequency) >> (24 - 16 + $bits)) as i32
+            }
+            fn of_lattice(place: i32) -> Self {
+                Self::from_bits(word(i64::from(place) << ($bits - 16)))
             }
             fn power(mantissa: u32, exponent: i16) -> Magnitude {
                 Magnitude::new(u64::from(mantissa), i32::from(exponent))

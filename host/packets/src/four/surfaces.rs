@@ -30,6 +30,8 @@ pub(crate) struct Surfaces4<'a> {
     pub(crate) materials: [&'a Material<f32>; 4],
     /// The materials' numbers.
     numbers: [u16; 4],
+    /// A bit for each whose mirror ray sees the sky alone.
+    surroundings: u32,
 }
 
 impl<'a> Surfaces4<'a> {
@@ -45,6 +47,7 @@ impl<'a> Surfaces4<'a> {
         colors: [Rgb::BLACK; 4],
         materials: [&Material::Opaque; 4],
         numbers: [PLAIN; 4],
+        surroundings: 0,
     };
 
     /// The surface that ray `k` sees.
@@ -61,6 +64,7 @@ impl<'a> Surfaces4<'a> {
             color: one(&self.colors, k),
             material: one(&self.materials, k),
             number: one(&self.numbers, k),
+            surroundings: self.surroundings >> k & 1 == 1,
         }
     }
 
@@ -150,6 +154,7 @@ impl<'a> Surfaces4<'a> {
         *one_mut(&mut self.colors, k) = surface.color;
         *one_mut(&mut self.materials, k) = surface.material;
         *one_mut(&mut self.numbers, k) = surface.number;
+        self.surroundings |= u32::from(surface.surroundings) << k;
     }
 
     /// Finds what four rays see where they meet something, or where not.
@@ -205,7 +210,9 @@ impl<'a> Surfaces4<'a> {
         {
             spots.add_floor((&world.scene, floor), rays, nearest.distance, on_floor);
         }
-        for k in Bits(there & !spots.on) {
+        let alone = there & !spots.on;
+        spots.surroundings = 0;
+        for k in Bits(alone) {
             let object = one(&nearest.objects, k);
             let hit = object.map(|object| Hit { distance: lane(&nearest.distance, k), object });
             match world.seen::<N>(&world.planned::<N>(rays.lane(k), hit.as_ref()), hit) {
@@ -216,5 +223,25 @@ impl<'a> Surfaces4<'a> {
         let normal = spots.spot.normal;
         spots.inside = normal.dot(rays.direction).cmpgt(Vec4::ZERO);
         spots.spot.normal = Vec3x4::select(spots.inside, -normal, normal);
+        if N::COATS && !world.scene.coats.is_empty() {
+            for k in Bits(spots.on & !alone) {
+                let mut surface = spots.surface(rays, k);
+                if let Some(object) = one(&nearest.objects, k) {
+                    world.cover::<N>(&mut surface, object);
+                }
+                spots.cover(k, &surface);
+            }
+        }
+    }
+
+    /// Surface `k` has been covered.
+    fn cover(&mut self, k: usize, surface: &Surface<'a, f32>) {
+        *one_mut(&mut self.colors, k) = surface.color;
+        self.spot.normal.set(k, surface.normal);
+        if let Some(face) = surface.face {
+            self.curved |= 1 << k;
+            self.faces.set(k, face);
+        }
+        self.surroundings |= u32::from(surface.surroundings) << k;
     }
 }

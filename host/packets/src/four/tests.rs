@@ -231,6 +231,7 @@ fn rays_that_leave() {
                 extent: 1.0,
                 color: GREY,
                 material: &Material::Opaque,
+                surroundings: false,
                 number: PLAIN,
             };
             let right = decision::refract(&surface, &glasses[k]);

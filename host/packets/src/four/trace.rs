@@ -9,7 +9,7 @@ use rta_core::illumination::{Illumination, Passage, Way, Weight};
 use rta_core::light::{Incident, Lamp};
 use rta_core::material::Glass;
 use rta_core::needs::Needs;
-use rta_core::trace::decision::{Branch, Start, branch, casts_shadow_ray, direct};
+use rta_core::trace::decision::{Branch, Start, branch, casts_shadow_ray, direct, own};
 use rta_core::trace::{Pending, Stack, Tracer};
 
 use super::geometry::{Ray4, leave, normalize, reflect, refract};
@@ -64,22 +64,22 @@ impl<'a, M: Illumination<f32>, const STACK: usize> Trees4<'a, M, STACK> {
             are_eyes = false;
             self.surfaces.see::<N>(scene, &rays, &nearest, there);
             let lengths = nearest.distance;
-            let (mut own, mut lit) = (self.surfaces.lights, 0);
+            let (mut shone, mut lit) = (self.surfaces.lights, 0);
             for k in Bits(there & self.surfaces.on) {
                 let surface = self.surfaces.surface(&rays, k);
-                *one_mut(&mut own, k) = model.ambient::<N>(&surface, scene.scene.ambient);
+                *one_mut(&mut shone, k) = own::<f32, M, N>(model, &surface, &scene.scene);
                 lit |= u32::from(model.is_lit::<N>(&surface)) << k;
             }
             if N::LAMPS && lit != 0 {
                 let lamps = if N::SEVERAL_LAMPS { scene.scene.lamps.len() } else { 1 };
                 for (number, lamp) in scene.scene.lamps.iter().take(lamps).enumerate() {
-                    self.add_lamp(tracer, (number, lamp), &rays, lit, &mut own);
+                    self.add_lamp(tracer, (number, lamp), &rays, lit, &mut shone);
                 }
             }
             let mut branching = 0;
             for k in Bits(there) {
                 let pending = one_mut(&mut current, k);
-                let (weight, own) = (pending.branch.weight, one(&own, k));
+                let (weight, own) = (pending.branch.weight, one(&shone, k));
                 let mut arrived = weight.filter(own);
                 if M::ALONG {
                     let met = one(&nearest.objects, k).is_some();

@@ -62,6 +62,15 @@ impl<S: Format> Scalar for Paired<S> {
         Self { format: S::sqrt(square.format), twin: <f64 as Scalar>::sqrt(square.twin) }
             .noted("sqrt", [square.error()])
     }
+    /// A place of a pattern is the format's: patterns are no numbers that a twin could have.
+    fn lattice(self, frequency: u32) -> i32 {
+        self.format.lattice(frequency)
+    }
+    #[track_caller]
+    fn of_lattice(place: i32) -> Self {
+        Self { format: S::of_lattice(place), twin: <f64 as Scalar>::of_lattice(place) }
+            .noted("of_lattice", [])
+    }
     fn inverse(self) -> Self::Inverse {
         Bare { format: self.format.inverse(), twin: self.twin.inverse() }
     }
@@ -148,6 +157,15 @@ impl<U: UnitFormat> Unit for Paired<U> {
     fn ratio(numerator: i64, denominator: i64) -> Self {
         Self { format: U::ratio(numerator, denominator), twin: <f64 as Unit>::ratio(numerator, denominator) }
             .noted("ratio", [])
+    }
+    #[track_caller]
+    fn of_level(level: i32) -> Self {
+        Self { format: U::of_level(level), twin: <f64 as Unit>::of_level(level) }.noted("of_level", [])
+    }
+    #[track_caller]
+    fn turn(x: Self, y: Self) -> Self {
+        Self { format: U::turn(x.format, y.format), twin: <f64 as Unit>::turn(x.twin, y.twin) }
+            .noted("turn", [x.error(), y.error()])
     }
     #[track_caller]
     fn times(self, factor: Self) -> Self {

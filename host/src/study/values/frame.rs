@@ -87,6 +87,7 @@ impl<S: Narrow> Lit<S> {
             extent: S::length(1.0),
             color: Rgb::new(one, one, one),
             material: &self.material,
+            surroundings: false,
             number: PLAIN,
         };
         let lamp = Lamp::white(zero, S::ZERO, 1);

@@ -51,7 +51,9 @@ macro_rules! functions {
     };
 }
 
-/// Returns all functions, as they are computed in the format `S`. Angles are in degrees.
+pub(super) use functions;
+
+/// Returns the functions of light, as they are computed in the format `S`. Angles are in degrees.
 pub(super) fn all<S: Narrow>() -> Vec<Function> {
     functions! {
         lamp(p, r, d) within NEAR => reflected_lamp::<S>(positive::<S>(1.0), [p, r, d]);

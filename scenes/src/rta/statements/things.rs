@@ -69,7 +69,7 @@ pub(super) const THINGS: &[Statement] = &[
     ),
     object(
         "texture",
-        "A texture with a name; kept, not drawn yet",
+        "A texture with a name",
         &[
             must("", &[V("name", New)], "its name"),
             one(0, "checker", COLORS, "cubes in two colours"),
@@ -160,11 +160,12 @@ pub(super) const THINGS: &[Statement] = &[
                 "a thin wall transmits the first share at its edges, the second face on",
             ),
             may("thin", &[], "a thin wall: light goes straight through"),
-            may("texture", &[V("texture", Name(A_TEXTURE))], "gives its colour; kept, not drawn yet"),
+            may("surroundings", &[], "its mirror rays see the sky alone, and no things"),
+            may("texture", &[V("texture", Name(A_TEXTURE))], "gives its colour"),
             may(
                 "bump",
                 &[V("texture", Name(A_TEXTURE)), V("height", Number(Any))],
-                "gives its bumps; kept, not drawn yet",
+                "gives its bumps, of this height",
             ),
         ],
     ),

@@ -79,7 +79,7 @@ pub(super) fn material(own: &Material, text: &mut String) {
     words.maybe(own.edge.as_ref(), |words, edge| {
         words.numbers("edge", &[edge.exponent.into(), edge.least, edge.most])
     });
-    words.flag("thin", own.thin);
+    words.flag("thin", own.thin).flag("surroundings", own.surroundings);
     words.maybe(own.texture.as_deref(), |words, texture| words.name("texture", texture));
     words
         .maybe(own.bump.as_ref(), |words, (texture, height)| words.name("bump", texture).number("", *height));

@@ -46,15 +46,14 @@ pub(super) fn material() -> impl Strategy<Value = Material> {
         maybe(nk),
         maybe(absorb),
         maybe(edge),
-        any::<bool>(),
-        any::<bool>(),
+        prop::array::uniform3(any::<bool>()),
         maybe(-1.0..=1.0),
     );
     (name, kind, maybe(color()), shares, facets, rest).prop_map(
         |(name, kind, color, shares, facets, rest)| {
             let (ambient, diffuse, back, specular, transmit, mirror) = shares;
             let (exponent, gloss, slopes, index, dispersion) = facets;
-            let (metal, nk, absorb, edge, thin, has_texture, bump) = rest;
+            let (metal, nk, absorb, edge, [thin, surroundings, has_texture], bump) = rest;
             Material {
                 name,
                 kind,
@@ -75,6 +74,7 @@ pub(super) fn material() -> impl Strategy<Value = Material> {
                 absorb,
                 edge,
                 thin,
+                surroundings,
                 texture: has_texture.then(|| "t0".into()),
                 bump: bump.map(|height| ("t1".into(), height)),
                 line: 0,

@@ -32,6 +32,7 @@ fn refracted<S: Measure>(degrees: f64, ior: f64, inside: bool) -> Option<[f64; 3
         extent: S::ZERO,
         color: color::<S>(WHITE),
         material: &Material::Transparent(glass),
+        surroundings: false,
         number: 0,
     };
     refract(&surface, &glass).map(read_direction::<S>)

@@ -29,6 +29,7 @@ pub(super) fn check<S: Measure>(
         extent: S::ZERO,
         color: Rgb::new(half, half, half),
         material: &material,
+        surroundings: false,
         number: 0,
     };
     let sine = |v: UnitVec3<S>| {
