@@ -87,6 +87,8 @@ needs! {
     SHADOWS shadows,
     /// Transparent objects let part of the light through into their shadow.
     TRANSPARENT_SHADOWS transparent_shadows,
+    /// Pictures of several wavelengths: [`Spectrum`](crate::spectrum::Spectrum).
+    SPECTRUM spectrum,
 }
 
 /// All constants true: for a program that reads its scene at run time.

@@ -27,6 +27,7 @@ use crate::range::Admitted;
 use crate::ray::Ray;
 use crate::scalar::vector::{LengthVector, UnitVec3, UnitVector, Vec3};
 use crate::scalar::{Light, Scalar, Unit};
+use crate::spectrum::Spectrum;
 use crate::surface::Surface;
 use crate::world::Seen;
 
@@ -40,6 +41,7 @@ pub struct Tracer<'a, S: Scalar, M, N, const STACK: usize, A = Lists> {
     model: M,
     depth: u8,
     cutoff: S::Unit,
+    spectrum: Option<&'a Spectrum<'a, S, M, N, STACK, A>>,
     needs: PhantomData<fn() -> N>,
 }
 
@@ -78,7 +80,7 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Acceler
             return Err(error);
         }
         let cutoff = model.cutoff();
-        Ok(Self { scene, model, depth, cutoff, needs: PhantomData })
+        Ok(Self { scene, model, depth, cutoff, spectrum: None, needs: PhantomData })
     }
 
     /// Returns the tracer with a contribution cut-off: a secondary ray whose weight is below `cutoff` is not traced. This is
@@ -86,6 +88,11 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Acceler
     /// 1983). The default is the model's, [`Illumination::cutoff`].
     pub fn with_cutoff(self, cutoff: S::Unit) -> Self {
         Self { cutoff, ..self }
+    }
+
+    /// Returns the tracer of a picture of several wavelengths, of which this one traces the first. It needs [`Needs::SPECTRUM`].
+    pub fn with_spectrum(self, spectrum: &'a Spectrum<'a, S, M, N, STACK, A>) -> Self {
+        Self { spectrum: Some(spectrum), ..self }
     }
 
     /// Returns scene, model, depth and cut-off, for a loop outside the core that traces several rays side by side.
@@ -98,7 +105,8 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Acceler
         self.trace(origin, direction, &mut A::Memory::default(), &mut ())
     }
 
-    /// Returns the radiance that a ray from `origin` in the unit direction `direction` brings back, from the whole ray tree.
+    /// Returns the radiance that a ray from `origin` in the unit direction `direction` brings back, from the whole ray tree; of
+    /// several wavelengths, where the tracer has a [`Spectrum`].
     /// `memory` is what the accelerator keeps from ray to ray; `observer` is told of every ray.
     #[cfg_attr(not(target_os = "none"), inline(always))]
     pub fn trace<O: Observer<S> + ?Sized>(
@@ -108,7 +116,22 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Acceler
         memory: &mut A::Memory,
         observer: &mut O,
     ) -> Rgb<S::Light> {
-        let mut current = Pending { start: Start { origin, direction }, branch: Branch::eye::<S>() };
+        let start = Start { origin, direction };
+        match self.spectrum {
+            Some(spectrum) if N::SPECTRUM => spectrum.trace(self, start, memory, observer),
+            _ => self.tree(start, memory, observer),
+        }
+    }
+
+    /// Returns the radiance of one ray tree, of the tracer's own wavelength.
+    #[cfg_attr(not(target_os = "none"), inline(always))]
+    pub(crate) fn tree<O: Observer<S> + ?Sized>(
+        &self,
+        start: Start<S>,
+        memory: &mut A::Memory,
+        observer: &mut O,
+    ) -> Rgb<S::Light> {
+        let mut current = Pending { start, branch: Branch::eye::<S>() };
         if !N::MIRROR {
             return self.arrived(&mut current, &mut None, memory, observer);
         }

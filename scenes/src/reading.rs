@@ -13,4 +13,6 @@ pub struct Reading {
     pub one_sided: bool,
     /// Air that takes the place of the scene's.
     pub air: Option<Air>,
+    /// The number of wavelengths that takes the place of the scene's: an odd number from 1 to 31, or 0 for red, green and blue.
+    pub wavelengths: Option<u32>,
 }

@@ -28,11 +28,19 @@ pub struct ReadingArgs {
     /// fog:S and fog:R:G:B leave exp(-S d). Lengths are in units of the scene.
     #[arg(long, value_name = "AIR")]
     pub air: Option<Air>,
+    /// Wavelengths that glass is seen in, an odd number from 1 to 31; 0 for red, green and blue [default: the scene's]
+    #[arg(long, value_name = "N", value_parser = wavelengths)]
+    pub spectral: Option<u32>,
+}
+
+fn wavelengths(text: &str) -> Result<u32, String> {
+    let number = text.parse().ok().filter(|number: &u32| *number == 0 || *number < 32 && number % 2 == 1);
+    number.ok_or_else(|| "expected an odd number from 1 to 31, or 0".into())
 }
 
 impl From<ReadingArgs> for Reading {
-    fn from(ReadingArgs { lenient, one_sided, air }: ReadingArgs) -> Self {
-        Self { lenient, one_sided, air }
+    fn from(ReadingArgs { lenient, one_sided, air, spectral }: ReadingArgs) -> Self {
+        Self { lenient, one_sided, air, wavelengths: spectral }
     }
 }
 

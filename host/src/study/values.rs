@@ -15,6 +15,7 @@ mod albedo;
 mod frame;
 mod functions;
 mod notation;
+mod spectrum;
 
 pub use functions::Function;
 pub use notation::{Statement, statements};
