@@ -44,7 +44,6 @@ pub mod sampling;
 pub mod scalar;
 pub mod scene;
 pub mod shape;
-pub mod spectrum;
 pub mod surface;
 pub mod trace;
 pub mod world;

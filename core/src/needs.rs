@@ -87,7 +87,7 @@ needs! {
     SHADOWS shadows,
     /// Transparent objects let part of the light through into their shadow.
     TRANSPARENT_SHADOWS transparent_shadows,
-    /// Pictures of several wavelengths: [`Spectrum`](crate::spectrum::Spectrum).
+    /// Pictures of several wavelengths: [`Spectrum`](crate::trace::Spectrum).
     SPECTRUM spectrum,
 }
 

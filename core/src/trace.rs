@@ -8,6 +8,7 @@
 
 pub mod decision;
 mod observer;
+mod spectrum;
 
 use core::marker::PhantomData;
 
@@ -15,6 +16,7 @@ use heapless::Vec;
 
 use decision::{Branch, Start, branch, casts_shadow_ray, direct, refract};
 pub use observer::Observer;
+pub use spectrum::Spectrum;
 
 use crate::accelerator::{Accelerator, Lists};
 use crate::color::Rgb;
@@ -27,7 +29,6 @@ use crate::range::Admitted;
 use crate::ray::Ray;
 use crate::scalar::vector::{LengthVector, UnitVec3, UnitVector, Vec3};
 use crate::scalar::{Light, Scalar, Unit};
-use crate::spectrum::Spectrum;
 use crate::surface::Surface;
 use crate::world::Seen;
 
@@ -125,7 +126,7 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Acceler
 
     /// Returns the radiance of one ray tree, of the tracer's own wavelength.
     #[cfg_attr(not(target_os = "none"), inline(always))]
-    pub(crate) fn tree<O: Observer<S> + ?Sized>(
+    fn tree<O: Observer<S> + ?Sized>(
         &self,
         start: Start<S>,
         memory: &mut A::Memory,

@@ -14,10 +14,9 @@ use rta_core::light::Incident;
 use rta_core::needs::{Everything, Needs};
 use rta_core::range::Admitted;
 use rta_core::scalar::Unit;
-use rta_core::spectrum::Spectrum;
 use rta_core::surface::Surface;
-use rta_core::trace::Tracer;
 use rta_core::trace::decision::direct;
+use rta_core::trace::{Spectrum, Tracer};
 use rta_core::vector::Vec3;
 use rta_core::{Error, Scalar};
 

@@ -5,7 +5,7 @@
 
 use rta::engine::Settings;
 
-use super::baked::{Picture, SMALL, by_engine, draw};
+use super::baked::{Picture, SMALL, by_engine, draw_spectrum};
 
 /// Makes the test of a baked scene, by the name of its module and the text of its scene file.
 macro_rules! drawn {
@@ -18,7 +18,9 @@ macro_rules! drawn {
 
             #[test]
             fn is_drawn_as_the_engine_draws_it() {
-                let got = super::draw::<_, _, scene::Needs>(&scene::SCENE, &scene::CAMERA, scene::model());
+                let spectrum = (&scene::WEIGHTS[..], &scene::FURTHER[..], &scene::DISPERSIVE[..]);
+                let scene = (&scene::SCENE, &scene::CAMERA);
+                let got = super::draw_spectrum::<_, _, _, scene::Needs>(scene, &scene::models(), spectrum);
                 super::check($text, &got);
             }
         }

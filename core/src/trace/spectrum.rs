@@ -7,6 +7,8 @@
 
 use core::iter::once;
 
+use super::decision::Start;
+use super::{Observer, Tracer};
 use crate::accelerator::{Accelerator, Lists};
 use crate::color::Rgb;
 use crate::illumination::Illumination;
@@ -16,8 +18,6 @@ use crate::ray::RayKind;
 use crate::scalar::{Light, Scalar};
 use crate::scene::Hit;
 use crate::surface::Surface;
-use crate::trace::decision::Start;
-use crate::trace::{Observer, Tracer};
 
 /// The wavelengths of a picture, for [`Tracer::with_spectrum`]: the first is that of the tracer itself.
 #[derive(Clone, Copy, Debug)]
@@ -36,7 +36,7 @@ impl<S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Accelerator
     /// Returns the radiance of all wavelengths along a ray; `first` traces the first of them. `observer` is told of every ray.
     // By itself: where there is one wavelength the tracer stays what it is.
     #[inline(never)]
-    pub(crate) fn trace<O: Observer<S> + ?Sized>(
+    pub(super) fn trace<O: Observer<S> + ?Sized>(
         &self,
         first: &Tracer<'_, S, M, N, STACK, A>,
         start: Start<S>,
