@@ -52,6 +52,7 @@ pub fn weights(count: u32) -> Vec<[f64; 3]> {
 
 #[cfg(test)]
 mod tests {
+    #![allow(clippy::indexing_slicing)] // a test may panic
     use super::*;
 
     #[test]

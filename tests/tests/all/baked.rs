@@ -137,15 +137,16 @@ pub(super) fn draw<S: Narrow, M: Illumination<S>, N: Needs>(
 /// the first, and the dispersive materials.
 pub(super) fn draw_spectrum<S: Narrow, M: Illumination<S> + Copy, A: Accelerator<S>, N: Needs>(
     (scene, camera): (&Admitted<'_, S, A>, &Camera<S>),
-    models: &[M],
-    (weights, scenes, dispersive): (&[Rgb<S::Unit>], &[Admitted<'_, S, A>], &[u16]),
+    (model, models): (M, &[M]),
+    scenes: &[Admitted<'_, S, A>],
+    (weights, dispersive): (&[Rgb<S::Unit>], &[u16]),
 ) -> Picture {
     let tracer = |(scene, model): (_, &M)| -> Tracer<_, M, N, STACK, A> {
         Tracer::new(scene, *model, SMALL.depth).expect("the stack is deep enough")
     };
-    let further: Vec<_> = scenes.iter().zip(&models[1..]).map(tracer).collect();
+    let further: Vec<_> = scenes.iter().zip(models).map(tracer).collect();
     let spectrum = Spectrum { weights, further: &further, dispersive };
-    let first = tracer((scene, &models[0]));
+    let first = tracer((scene, &model));
     picture(&if N::SPECTRUM { first.with_spectrum(&spectrum) } else { first }, camera)
 }
 

@@ -18,9 +18,13 @@ macro_rules! drawn {
 
             #[test]
             fn is_drawn_as_the_engine_draws_it() {
-                let spectrum = (&scene::WEIGHTS[..], &scene::FURTHER[..], &scene::DISPERSIVE[..]);
-                let scene = (&scene::SCENE, &scene::CAMERA);
-                let got = super::draw_spectrum::<_, _, _, scene::Needs>(scene, &scene::models(), spectrum);
+                let [model, further @ ..] = scene::models();
+                let got = super::draw_spectrum::<_, _, _, scene::Needs>(
+                    (&scene::SCENE, &scene::CAMERA),
+                    (model, &further),
+                    &scene::FURTHER,
+                    (&scene::WEIGHTS, &scene::DISPERSIVE),
+                );
                 super::check($text, &got);
             }
         }

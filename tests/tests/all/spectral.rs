@@ -1,4 +1,5 @@
 //! Pictures of several wavelengths.
+#![allow(clippy::indexing_slicing)] // a test may panic
 
 use rta::engine::{Format, Model, Settings};
 use rta_core::Scalar;
