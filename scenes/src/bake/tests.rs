@@ -63,6 +63,7 @@ fn a_scene_needs_what_is_in_it_and_no_more() {
                 "SEVERAL_LAMPS",
                 "SEVERAL_FALL_OFFS",
                 "TRANSPARENT_SHADOWS",
+                "SPECTRUM",
             ][..],
         ),
         (
@@ -77,6 +78,7 @@ fn a_scene_needs_what_is_in_it_and_no_more() {
                 "FINISH",
                 "SEVERAL_FALL_OFFS",
                 "TRANSPARENT_SHADOWS",
+                "SPECTRUM",
             ],
         ),
         (
@@ -91,13 +93,14 @@ fn a_scene_needs_what_is_in_it_and_no_more() {
                 "TILES",
                 "FINISH",
                 "SEVERAL_FALL_OFFS",
+                "SPECTRUM",
             ],
         ),
     ] {
         for format in [Format::F32, Format::F64, Format::Q16, Format::Q20] {
             let source = source(&read(text), &Recipe::new(format));
             assert_eq!(needs(&source, false), without);
-            assert_eq!(needs(&source, true).len() + without.len(), 21);
+            assert_eq!(needs(&source, true).len() + without.len(), 22);
         }
     }
 }
@@ -118,7 +121,8 @@ fn the_model_decides_what_is_needed() {
             "TILES",
             "FINISH",
             "ATTENUATION",
-            "SEVERAL_FALL_OFFS"
+            "SEVERAL_FALL_OFFS",
+            "SPECTRUM"
         ]
     );
     // A shiny sphere alone: it reflects in Whitted's model only.

@@ -60,11 +60,11 @@ mod tests {
     #[test]
     fn the_index_stays_one_of_a_glass_at_the_poles_of_a_formula() {
         let pole = Dispersion::Sellmeier { offset: 1.0, terms: vec![[0.2, 0.25], [0.1, 0.25]] };
-        for nm in [400.0, 499.999, 500.0, 500.001, 700.0] {
-            let index = pole.index(1.5, nm);
-            assert!((0.1..=10.0).contains(&index), "{nm}: {index}");
-        }
         let opposite = Dispersion::Sellmeier { offset: 1.0, terms: vec![[0.2, 0.25], [-0.1, 0.25]] };
-        assert_eq!(opposite.index(1.5, 500.0).to_bits(), 1.5_f64.to_bits());
+        for nm in [400.0, 499.999, 500.0, 500.001, 700.0] {
+            for index in [&pole, &opposite].map(|dispersion| dispersion.index(1.5, nm)) {
+                assert!((0.1..=10.0).contains(&index), "{nm}: {index}");
+            }
+        }
     }
 }
