@@ -46,7 +46,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 }
 
 /// What else than its name a model is drawn with: its options, and air.
-const CHOICES: [&str; 17] = [
+const CHOICES: [&str; 22] = [
     "bouknight mach 1",
     "bouknight p 1.7",
     "romney p 7",
@@ -60,6 +60,11 @@ const CHOICES: [&str; 17] = [
     "cook-torrance published mirror .5 gloss 12",
     "cook-torrance sancer exact published",
     "hall-greenberg cutoff .2",
+    "rta\nspectral 3",
+    "whitted\nspectral 9",
+    "cook-torrance exact\nspectral 3",
+    "hall-greenberg\nspectral 5\nmedium extinction .05  albedo .5",
+    "lambert\nspectral 9",
     "lambert\nattenuation haze 5 20",
     "blinn\nattenuation romney 2\nmedium extinction .1 .1 .12  albedo 0",
     "whitted\nmedium extinction .1 .1 .12  albedo .8  anisotropy .3  shadows 16",

@@ -139,6 +139,10 @@ pub trait Illumination<S: Scalar>: Send + Sync {
     /// [`Needs::ATTENUATION`], and how bright lamps have to be in a scene that is scaled.
     const ATTENUATION: bool = true;
 
+    /// Whether the model has rays that are bent by an index of refraction: true, the default, may trace more wavelengths than
+    /// necessary, never less.
+    const REFRACTS: bool = true;
+
     /// Returns the radiance that the point sends back of the scene's ambient light.
     fn ambient<N: Needs>(&self, surface: &Surface<S>, ambient: Rgb<S::Light>) -> Rgb<S::Light>;
 

@@ -56,6 +56,16 @@ impl<'a, S: Scalar, A> Admitted<'a, S, A> {
         Self { world: World { scene, limits }, accelerator }
     }
 
+    /// Returns the scene with other materials, at another wavelength: they differ in nothing that the proof of the scene is about, as
+    /// an index of refraction enters no bound of it.
+    pub const fn with_materials(&self, materials: &'a [Material<S>]) -> Self
+    where
+        A: Copy,
+    {
+        let world = World { scene: Scene { materials, ..self.world.scene }, limits: self.world.limits };
+        Self { world, accelerator: self.accelerator }
+    }
+
     /// Returns the accelerator.
     pub const fn accelerator(&self) -> &A {
         &self.accelerator

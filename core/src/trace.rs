@@ -8,6 +8,7 @@
 
 pub mod decision;
 mod observer;
+mod spectrum;
 
 use core::marker::PhantomData;
 
@@ -15,6 +16,7 @@ use heapless::Vec;
 
 use decision::{Branch, Start, branch, casts_shadow_ray, direct, own, refract};
 pub use observer::Observer;
+pub use spectrum::Spectrum;
 
 use crate::accelerator::{Accelerator, Lists};
 use crate::color::Rgb;
@@ -40,6 +42,7 @@ pub struct Tracer<'a, S: Scalar, M, N, const STACK: usize, A = Lists> {
     model: M,
     depth: u8,
     cutoff: S::Unit,
+    spectrum: Option<&'a Spectrum<'a, S, M, N, STACK, A>>,
     needs: PhantomData<fn() -> N>,
 }
 
@@ -78,7 +81,7 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Acceler
             return Err(error);
         }
         let cutoff = model.cutoff();
-        Ok(Self { scene, model, depth, cutoff, needs: PhantomData })
+        Ok(Self { scene, model, depth, cutoff, spectrum: None, needs: PhantomData })
     }
 
     /// Returns the tracer with a contribution cut-off: a secondary ray whose weight is below `cutoff` is not traced. This is
@@ -86,6 +89,11 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Acceler
     /// 1983). The default is the model's, [`Illumination::cutoff`].
     pub fn with_cutoff(self, cutoff: S::Unit) -> Self {
         Self { cutoff, ..self }
+    }
+
+    /// Returns the tracer of a picture of several wavelengths, of which this one traces the first. It needs [`Needs::SPECTRUM`].
+    pub fn with_spectrum(self, spectrum: &'a Spectrum<'a, S, M, N, STACK, A>) -> Self {
+        Self { spectrum: Some(spectrum), ..self }
     }
 
     /// Returns scene, model, depth and cut-off, for a loop outside the core that traces several rays side by side.
@@ -98,7 +106,8 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Acceler
         self.trace(origin, direction, &mut A::Memory::default(), &mut ())
     }
 
-    /// Returns the radiance that a ray from `origin` in the unit direction `direction` brings back, from the whole ray tree.
+    /// Returns the radiance that a ray from `origin` in the unit direction `direction` brings back, from the whole ray tree; of
+    /// several wavelengths, where the tracer has a [`Spectrum`].
     /// `memory` is what the accelerator keeps from ray to ray; `observer` is told of every ray.
     #[cfg_attr(not(target_os = "none"), inline(always))]
     pub fn trace<O: Observer<S> + ?Sized>(
@@ -108,7 +117,22 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Acceler
         memory: &mut A::Memory,
         observer: &mut O,
     ) -> Rgb<S::Light> {
-        let mut current = Pending { start: Start { origin, direction }, branch: Branch::eye::<S>() };
+        let start = Start { origin, direction };
+        match self.spectrum {
+            Some(spectrum) if N::SPECTRUM => spectrum.trace(self, start, memory, observer),
+            _ => self.tree(start, memory, observer),
+        }
+    }
+
+    /// Returns the radiance of one ray tree, of the tracer's own wavelength.
+    #[cfg_attr(not(target_os = "none"), inline(always))]
+    fn tree<O: Observer<S> + ?Sized>(
+        &self,
+        start: Start<S>,
+        memory: &mut A::Memory,
+        observer: &mut O,
+    ) -> Rgb<S::Light> {
+        let mut current = Pending { start, branch: Branch::eye::<S>() };
         if !N::MIRROR {
             return self.arrived(&mut current, &mut None, memory, observer);
         }

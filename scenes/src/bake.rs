@@ -18,6 +18,9 @@
 //! | `Needs` | what the scene needs, a [`rta_core::needs::Needs`] |
 //! | `SCENE` | the scene, an [`rta_core::range::Admitted`] |
 //! | `CAMERA` | the eye, an [`rta_core::camera::Camera`] |
+//! | `model` | a function that returns the illumination model |
+//! | `models` | a function that returns it at each of the wavelengths, of which there is one as a rule |
+//! | `WEIGHTS`, `FURTHER`, `DISPERSIVE` | what else a [`Spectrum`](rta_core::trace::Spectrum) has, all empty as a rule |
 //!
 //! so that `Tracer::<_, _, Needs, 5>::new(&SCENE, Rta, 5)` draws it.
 
@@ -26,6 +29,7 @@ use std::path::{Path, PathBuf};
 use std::{env, fs, io};
 
 use rta_core::accelerator::Lists;
+use rta_core::needs::Used;
 use rta_core::range::Admitted;
 
 use crate::accelerator::bvh;
@@ -43,6 +47,7 @@ mod coats;
 mod literal;
 mod model;
 mod module;
+mod spectrum;
 #[cfg(test)]
 mod tests;
 
@@ -190,12 +195,14 @@ fn source<S: Literal>(scene: &Description, name: &str, recipe: &Recipe) -> Resul
         None => narrowed.scene().admit(&narrowed.camera).map(|admitted| admitted.limits),
     };
     let limits = limits.map_err(|error| BakeError::Range(OutOfRange::new(error, scene)))?;
-    let used = recipe.model.used(&narrowed.scene());
+    let dispersive = narrowed.dispersive(recipe.model);
+    let used = Used { spectrum: !dispersive.is_empty(), ..recipe.model.used(&narrowed.scene()) };
     let mut source = String::new();
     // A String takes all that is written to it.
     let _ = module::write(&mut source, name, (&narrowed, &hierarchy), limits, used, recipe);
     let admitted = Admitted::baked(narrowed.scene(), limits, Lists);
     let middle = middle(&narrowed, &admitted);
-    let _ = model::write(&mut source, &narrowed, (recipe.model, &scene.air), middle);
+    let _ = spectrum::write(&mut source, &narrowed, &hierarchy, &dispersive);
+    let _ = model::write(&mut source, &narrowed, (recipe.model, &scene.air), (middle, used.spectrum));
     Ok(source)
 }

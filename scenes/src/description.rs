@@ -9,6 +9,7 @@ use crate::warning::Warning;
 mod air;
 mod camera;
 mod details;
+mod dispersion;
 mod material;
 mod settings;
 mod texture;
@@ -19,7 +20,8 @@ pub use crate::model::Model;
 pub use air::{Air, Attenuation, Fading, Medium};
 pub use camera::{Camera, Optics, Side};
 pub use details::{Detail, Details, LampShape, Shading};
-pub use material::{Coefficients, Dispersion, Edge, Kind, Material, Slope};
+pub use dispersion::Dispersion;
+pub use material::{Coefficients, Edge, Kind, Material, Slope};
 pub use settings::{ModelOption, Settings};
 pub use texture::{Axis, Pattern, Pixels, Texture};
 

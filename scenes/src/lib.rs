@@ -46,6 +46,7 @@ pub mod rta;
 pub mod shading;
 pub mod shipped;
 pub mod space;
+pub mod spectrum;
 mod tokens;
 pub mod unused;
 pub mod used;
@@ -92,7 +93,13 @@ pub fn read_with(text: &[u8], file: &str, reading: Reading) -> Result<Descriptio
     } else {
         dat::read(text, file)
     };
-    scene.map(|scene| Description { air: reading.air.unwrap_or(scene.air), ..scene })
+    scene.map(|mut scene| {
+        scene.air = reading.air.unwrap_or(scene.air);
+        if let Some(count) = reading.wavelengths {
+            scene.settings.wavelengths = Some(count).filter(|count| *count > 0);
+        }
+        scene
+    })
 }
 
 #[cfg(test)]

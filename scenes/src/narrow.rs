@@ -12,6 +12,7 @@ use rta_core::vector::Vector;
 
 use crate::description::{self, Description, Side};
 use crate::space::{cross, unit};
+use crate::spectrum::wavelength;
 
 pub mod air;
 mod check;
@@ -23,6 +24,7 @@ mod materials;
 mod plane;
 mod properties;
 pub use properties::conductor;
+pub mod spectrum;
 pub mod triangle;
 pub mod variant;
 
@@ -31,6 +33,7 @@ pub use check::exponent;
 pub use error::NarrowError;
 use materials::Materials;
 pub(crate) use materials::finishes;
+use spectrum::{Spectrum, Table, weights};
 use variant::Options;
 
 /// A number format that descriptions can be narrowed to.
@@ -86,6 +89,8 @@ pub struct Narrowed<S: Scalar> {
     pub lamps: Vec<Lamp<S>>,
     /// Materials, in the order of the numbers by which the objects refer to them.
     pub materials: Vec<Material<S>>,
+    /// What a picture of several wavelengths has besides; the materials are those of the first.
+    pub spectrum: Option<Spectrum<S>>,
     /// What the scene says of each of the materials, for models that have parameters of their own.
     pub said: Vec<description::Material>,
     /// What covers the materials, in the order of their numbers as far as any is covered, and then the sky.
@@ -163,7 +168,10 @@ fn lamp<S: Narrow>(index: usize, lamp: &description::Lamp) -> Result<Lamp<S>, Na
 /// # Errors
 /// The first thing that the format cannot hold, with its size and the limit.
 pub fn narrow<S: Narrow>(description: &Description, aspect: f64) -> Result<Narrowed<S>, NarrowError> {
-    let mut materials = Materials::<S>::new(&description.materials);
+    let is_dispersive = description.materials.iter().any(|material| material.dispersion.is_some());
+    let count = description.settings.wavelengths.filter(|_| is_dispersive).unwrap_or(0);
+    let wavelengths = (0..count).map(|i| wavelength(i, count)).collect();
+    let mut materials = Materials::<S>::new(&description.materials, wavelengths);
     let mut cylinders = Vec::with_capacity(description.cylinders.len());
     for (i, c) in description.cylinders.iter().enumerate() {
         let check = Checker::<S>::new("cylinder", i, c.line);
@@ -235,7 +243,10 @@ pub fn narrow<S: Narrow>(description: &Description, aspect: f64) -> Result<Narro
             })
         }
     };
-    let (coats, pool) = coats::narrow(description, &materials.said)?;
+    let Materials { first: Table { materials, said }, further, .. } = materials;
+    let (coats, pool) = coats::narrow(description, &said)?;
+    let is_several = !further.is_empty();
+    let spectrum = is_several.then(|| Spectrum { weights: weights::<S>(count), further });
     Ok(Narrowed {
         camera: camera(&description.camera, aspect)?,
         cylinders,
@@ -245,8 +256,9 @@ pub fn narrow<S: Narrow>(description: &Description, aspect: f64) -> Result<Narro
         triangles,
         planes,
         lamps,
-        materials: materials.narrowed,
-        said: materials.said,
+        materials,
+        spectrum,
+        said,
         coats,
         pool,
         options: Options::of(description),

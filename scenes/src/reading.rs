@@ -15,4 +15,6 @@ pub struct Reading {
     pub air: Option<Air>,
     /// The most pixels on a side that a picture of a texture or of the sky keeps; 0 leaves pictures unread.
     pub texels: Option<u32>,
+    /// The number of wavelengths that takes the place of the scene's: an odd number from 1 to 31, or 0 for red, green and blue.
+    pub wavelengths: Option<u32>,
 }

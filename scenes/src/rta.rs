@@ -43,6 +43,7 @@ mod write;
 
 pub use document::help;
 
+pub use builtin::material as built_in;
 use line::Line;
 use said::{Said, error};
 

@@ -5,7 +5,6 @@
 
 use std::sync::Arc;
 
-use rta_core::Scalar;
 use rta_core::accelerator::Accelerator;
 use rta_core::color::Rgb;
 use rta_core::illumination::air::Through;
@@ -17,13 +16,15 @@ use rta_core::range::Admitted;
 use rta_core::scalar::Unit;
 use rta_core::surface::Surface;
 use rta_core::trace::decision::direct;
+use rta_core::trace::{Spectrum, Tracer};
 use rta_core::vector::Vec3;
+use rta_core::{Error, Scalar};
 
 use crate::description::{Air, Material};
 use crate::model::Model;
 use crate::narrow::air::{Layers, layers};
 use crate::narrow::variant::{Options, Source, Visitor};
-use crate::narrow::{Narrow, Narrowed};
+use crate::narrow::{Narrow, Narrowed, spectrum as narrow};
 
 /// Returns the part of the light of a lamp that reaches a place: see [`Illumination::along`].
 type Lit<'a, S> = &'a mut dyn FnMut(Vec3<S>, usize) -> <S as Scalar>::Unit;
@@ -84,10 +85,77 @@ pub fn any_model<S: Narrow, A: Accelerator<S>>(
     scene: &Narrowed<S>,
     admitted: &Admitted<'_, S, A>,
 ) -> AnyModel<S> {
+    at_one(model, air, scene, admitted, &scene.said)
+}
+
+/// Returns a model and the air of a scene with what is said of its materials at one wavelength.
+fn at_one<S: Narrow, A: Accelerator<S>>(
+    model: Model,
+    air: &Air,
+    scene: &Narrowed<S>,
+    admitted: &Admitted<'_, S, A>,
+    said: &[Material],
+) -> AnyModel<S> {
     let middle = middle(scene, admitted);
     let air = layers(air, (middle, model.is_attenuated()), &scene.sky, scene.ambient);
-    Through { model: shaded(model, middle, &scene.said, &scene.options), air }
+    Through { model: shaded(model, middle, said, &scene.options), air }
 }
+
+/// A model at each wavelength of a scene, ready to be traced.
+#[derive(Clone)]
+pub struct Wavelengths<S: Scalar> {
+    /// Of the first.
+    first: AnyModel<S>,
+    /// Of the others.
+    further: Vec<AnyModel<S>>,
+    /// The numbers of the materials whose light depends on the wavelength.
+    dispersive: Vec<u16>,
+}
+
+impl<S: Narrow> Wavelengths<S> {
+    /// Returns a model and the air of a scene at each wavelength; at one alone where nothing that the model draws depends on them.
+    pub fn new<A: Accelerator<S>>(
+        model: Model,
+        air: &Air,
+        scene: &Narrowed<S>,
+        admitted: &Admitted<'_, S, A>,
+    ) -> Self {
+        let dispersive = scene.dispersive(model);
+        let further = scene.spectrum.iter().filter(|_| !dispersive.is_empty()).flat_map(|all| &all.further);
+        let further = further.map(|table| at_one(model, air, scene, admitted, &table.said)).collect();
+        Self { first: any_model(model, air, scene, admitted), further, dispersive }
+    }
+
+    /// Calls `draw` with a tracer of all wavelengths, with rays of that depth and that cut-off, or the model's own.
+    ///
+    /// # Errors
+    /// Those of [`Tracer::new`].
+    pub fn with_tracer<N: Needs, const STACK: usize, A: Accelerator<S> + Copy, R>(
+        &self,
+        scene: &Narrowed<S>,
+        admitted: &Admitted<'_, S, A>,
+        (depth, cutoff): (u32, Option<S::Unit>),
+        draw: impl FnOnce(&AnyTracer<'_, S, N, STACK, A>) -> R,
+    ) -> Result<R, Error> {
+        let tracer = |scene, model: &AnyModel<S>| {
+            let tracer = Tracer::new(scene, model.clone(), depth)?;
+            Ok(if let Some(cutoff) = cutoff { tracer.with_cutoff(cutoff) } else { tracer })
+        };
+        let first = tracer(admitted, &self.first)?;
+        let Some(narrow::Spectrum { weights, further }) = &scene.spectrum else { return Ok(draw(&first)) };
+        if self.dispersive.is_empty() {
+            return Ok(draw(&first));
+        }
+        let scenes: Vec<_> = further.iter().map(|table| admitted.with_materials(&table.materials)).collect();
+        let further = scenes.iter().zip(&self.further).map(|(scene, model)| tracer(scene, model));
+        let further = further.collect::<Result<Vec<_>, Error>>()?;
+        let spectrum = Spectrum { weights, further: &further, dispersive: &self.dispersive };
+        Ok(draw(&first.with_spectrum(&spectrum)))
+    }
+}
+
+/// A tracer with any illumination model.
+pub type AnyTracer<'a, S, N, const STACK: usize, A> = Tracer<'a, S, AnyModel<S>, N, STACK, A>;
 
 /// Returns the length of the ray in the middle of the picture, 1 if it meets nothing.
 pub fn middle<S: Narrow, A: Accelerator<S>>(scene: &Narrowed<S>, admitted: &Admitted<'_, S, A>) -> S {

@@ -39,6 +39,7 @@ impl<S: Scalar> Bouknight<S> {
 impl<S: Scalar> Illumination<S> for Bouknight<S> {
     /// The model has no secondary rays, so any weight type would do.
     type Weight = S::Unit;
+    const REFRACTS: bool = false;
     const ATTENUATION: bool = false;
 
     fn ambient<N: Needs>(&self, surface: &Surface<S>, ambient: Rgb<S::Light>) -> Rgb<S::Light> {

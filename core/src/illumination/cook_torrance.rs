@@ -165,6 +165,7 @@ impl<S: Scalar, G, F> CookTorrance<'_, S, G, F> {
 
 impl<S: Scalar, G: Hidden<S::Unit>, F: Reflecting<S>> Illumination<S> for CookTorrance<'_, S, G, F> {
     type Weight = Rgb<S::Unit>;
+    const REFRACTS: bool = false;
 
     fn ambient<N: Needs>(&self, surface: &Surface<S>, ambient: Rgb<S::Light>) -> Rgb<S::Light> {
         let part = self.row_of(surface).map_or(S::Unit::ONE, |row| row.ambient);

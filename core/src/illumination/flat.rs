@@ -14,6 +14,7 @@ pub struct Flat;
 impl<S: Scalar> Illumination<S> for Flat {
     /// The model has no secondary rays, so any weight type would do.
     type Weight = S::Unit;
+    const REFRACTS: bool = false;
     const ATTENUATION: bool = false;
 
     fn ambient<N: Needs>(&self, surface: &Surface<S>, _ambient: Rgb<S::Light>) -> Rgb<S::Light> {

@@ -55,6 +55,7 @@ impl<S: Scalar> Tabled<S> for Lambert<'_, S> {
 impl<S: Scalar> Illumination<S> for Lambert<'_, S> {
     /// The model has no secondary rays, so any weight type would do.
     type Weight = S::Unit;
+    const REFRACTS: bool = false;
     const BOTH_SIDES: bool = true;
 
     fn ambient<N: Needs>(&self, surface: &Surface<S>, ambient: Rgb<S::Light>) -> Rgb<S::Light> {

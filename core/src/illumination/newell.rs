@@ -85,6 +85,7 @@ impl<S: Scalar> Newell<'_, S> {
 
 impl<S: Scalar> Illumination<S> for Newell<'_, S> {
     type Weight = S::Unit;
+    const REFRACTS: bool = false;
     const ATTENUATION: bool = false;
 
     fn ambient<N: Needs>(&self, surface: &Surface<S>, ambient: Rgb<S::Light>) -> Rgb<S::Light> {

@@ -38,6 +38,7 @@ impl<S: Scalar> Romney<S> {
 impl<S: Scalar> Illumination<S> for Romney<S> {
     /// The model has no secondary rays, so any weight type would do.
     type Weight = S::Unit;
+    const REFRACTS: bool = false;
     const ATTENUATION: bool = false;
 
     fn ambient<N: Needs>(&self, surface: &Surface<S>, _ambient: Rgb<S::Light>) -> Rgb<S::Light> {

@@ -7,7 +7,7 @@ use core::fmt;
 use rta_core::Error;
 use rta_core::color::Rgb;
 use rta_core::illumination::{Illumination, Phong, Rta, Whitted};
-use rta_core::needs::Everything;
+use rta_core::needs::Needs;
 use rta_core::range::Admitted;
 use rta_core::raster::Raster;
 use rta_core::raster::lattice::Lattice;
@@ -19,11 +19,15 @@ use rta_core::{Q16, Q20, Scalar};
 use rta_scenes::description::{Air, Description};
 use rta_scenes::model::Model;
 use rta_scenes::narrow::{Narrow, NarrowError, Narrowed, narrow};
-use rta_scenes::shading::any_model;
+use rta_scenes::shading::{Wavelengths, any_model};
 
 use crate::cache::ShadowCache;
 use crate::packets::Packets;
 use crate::rows::Rows;
+
+mod spectral;
+
+use spectral::Spectral;
 
 /// The deepest recursion: the capacity of the tracer's stack of pending rays.
 pub const MAX_DEPTH: u32 = 32;
@@ -174,6 +178,11 @@ macro_rules! formats {
                 let ready = Ready::<$f>::new(scene, setup)?;
                 let is_clear = scene.air == Air::default();
                 Ok(match model {
+                    _ if !ready.scene.dispersive(model).is_empty() => {
+                        let wavelengths =
+                            Wavelengths::new(model, &scene.air, &ready.scene, &ready.admitted());
+                        Box::new(Spectral { ready, wavelengths })
+                    }
                     // The pictures that are drawn most have a tracer of their own.
                     Model::Rta if is_clear => Box::new(Modelled { ready, model: Rta }),
                     Model::Whitted if is_clear => Box::new(Modelled { ready, model: Whitted::default() }),
@@ -225,7 +234,14 @@ struct Modelled<S: Narrow, M> {
     model: M,
 }
 
-type Traced<'a, S, M> = Tracer<'a, S, M, Everything, { MAX_DEPTH as usize }, &'a Packets>;
+/// All that a scene of one wavelength may need.
+struct OneWavelength;
+
+impl Needs for OneWavelength {
+    const SPECTRUM: bool = false;
+}
+
+type Traced<'a, S, M> = Tracer<'a, S, M, OneWavelength, { MAX_DEPTH as usize }, &'a Packets>;
 
 impl<S: Format, M: Illumination<S> + Clone> Modelled<S, M> {
     fn tracer<'a>(&self, admitted: &'a Admitted<'a, S, &'a Packets>) -> Option<Traced<'a, S, M>> {

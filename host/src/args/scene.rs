@@ -32,11 +32,19 @@ pub struct ReadingArgs {
     /// The most pixels on a side that a picture of a texture or of the sky keeps [default: 1024, and 64 where it is baked]
     #[arg(long, value_name = "N", value_parser = choice::whole(1..=LARGEST_SIDE))]
     pub texels: Option<u32>,
+    /// Wavelengths that glass is seen in, an odd number from 1 to 31; 0 for red, green and blue [default: the scene's]
+    #[arg(long, value_name = "N", value_parser = wavelengths)]
+    pub spectral: Option<u32>,
+}
+
+fn wavelengths(text: &str) -> Result<u32, String> {
+    let number = text.parse().ok().filter(|number: &u32| *number == 0 || *number < 32 && number % 2 == 1);
+    number.ok_or_else(|| "expected an odd number from 1 to 31, or 0".into())
 }
 
 impl From<ReadingArgs> for Reading {
-    fn from(ReadingArgs { lenient, one_sided, air, texels }: ReadingArgs) -> Self {
-        Self { lenient, one_sided, air, texels }
+    fn from(ReadingArgs { lenient, one_sided, air, texels, spectral }: ReadingArgs) -> Self {
+        Self { lenient, one_sided, air, texels, wavelengths: spectral }
     }
 }
 

@@ -16,6 +16,7 @@ mod albedo;
 mod frame;
 mod functions;
 mod notation;
+mod spectrum;
 mod texture;
 
 pub use functions::Function;

@@ -12,33 +12,43 @@ use rta_core::scalar::Unit;
 use super::Model;
 use super::literal::{Literal, color, length, light, unit};
 use super::module::{ALLOW, exponent, write_names};
-use crate::description::Air;
+use crate::description::{Air, Material};
 use crate::narrow::Narrowed;
 use crate::narrow::air::{Layer, layers};
 use crate::narrow::variant::{Source, Visitor};
 
 const PATH: &str = "::rta_core::illumination";
 
-/// Writes the function `model`, which returns the model for the scene; `middle` is the length of the ray in the middle of the
-/// picture.
+/// Writes the functions `models` and `model`, which return the model for the scene at each of its wavelengths and at the first; `middle`
+/// is the length of the ray in the middle of the picture, and `spectrum` whether the picture is one of several wavelengths.
 pub(super) fn write<S: Literal>(
     out: &mut impl Write,
     scene: &Narrowed<S>,
     (model, air): (Model, &Air),
-    middle: S,
+    (middle, spectrum): (S, bool),
 ) -> fmt::Result {
-    let ready = scene.options.with_model(model, Baked { model, middle, scene });
+    let further = scene.spectrum.iter().filter(|_| spectrum).flat_map(|spectrum| &spectrum.further);
+    let said: Vec<_> = core::iter::once(&scene.said).chain(further.map(|table| &table.said)).collect();
+    let shading = "impl ::rta_core::illumination::Illumination<Number> + Copy";
     writeln!(out, "\n/// Returns the illumination model `{model}` for this scene.\n{ALLOW}")?;
-    writeln!(out, "pub fn model() -> impl ::rta_core::illumination::Illumination<Number> + Copy {{")?;
+    writeln!(out, "pub fn model() -> {shading} {{\n    let [first, ..] = models();\n    first\n}}")?;
+    writeln!(out, "\n/// Returns the illumination model at each wavelength.\n{ALLOW}")?;
+    writeln!(out, "pub fn models() -> [{shading}; {}] {{", said.len())?;
     write_names(out, S::CONSTRUCTORS)?;
     writeln!(out, "    use ::rta_core::illumination::table::Tabled;")?;
     let (fading, medium) = layers(air, (middle, model.is_attenuated()), &scene.sky, scene.ambient);
     let airs =
         [fading.as_ref().map(fading_of::<S>), medium.as_ref().map(medium_of::<S>)].into_iter().flatten();
-    let ready = airs.fold(ready, |model, air| {
-        format!("{PATH}::air::Through {{ model: {model}, air: {PATH}::air::{air} }}")
-    });
-    writeln!(out, "    {ready}\n}}")
+    let airs: Vec<_> = airs.collect();
+    writeln!(out, "    [")?;
+    for said in said {
+        let ready = scene.options.with_model(model, Baked { model, middle, scene, said });
+        let ready = airs.iter().fold(ready, |model, air| {
+            format!("{PATH}::air::Through {{ model: {model}, air: {PATH}::air::{air} }}")
+        });
+        writeln!(out, "        {ready},")?;
+    }
+    writeln!(out, "    ]\n}}")
 }
 
 /// A model that is to be written for a scene, with the length of the ray in the middle of the picture.
@@ -46,6 +56,7 @@ struct Baked<'a, S: Literal> {
     model: Model,
     middle: S,
     scene: &'a Narrowed<S>,
+    said: &'a [Material],
 }
 
 impl<S: Literal> Visitor<S> for Baked<'_, S> {
@@ -58,7 +69,7 @@ impl<S: Literal> Visitor<S> for Baked<'_, S> {
         let rows = if M::Row::NAME.is_empty() {
             Vec::new()
         } else {
-            self.scene.options.rows(self.model, &model, &self.scene.said)
+            self.scene.options.rows(self.model, &model, self.said)
         };
         let rows: Vec<_> = rows.iter().map(row).collect();
         format!("Tabled::<Number>::over(&{focused}, const {{ &[{}] }})", rows.join(", "))

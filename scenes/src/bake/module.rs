@@ -37,14 +37,8 @@ pub(super) fn write<S: Literal>(
     writeln!(out, "/// The number format: {format}.\npub type Number = {};\n", S::PATH)?;
     write_needs(out, used)?;
     writeln!(out, "\n/// The scene.\n{ALLOW}")?;
-    let accelerator = match hierarchy.bvh() {
-        Some(_) => "Bvh<'static, Number>",
-        None => "Lists",
-    };
-    writeln!(
-        out,
-        "pub const SCENE: ::rta_core::range::Admitted<'static, Number, ::rta_core::accelerator::{accelerator}> = {{"
-    )?;
+    let accelerator = accelerator(hierarchy);
+    writeln!(out, "pub const SCENE: ::rta_core::range::Admitted<'static, Number, {accelerator}> = {{")?;
     write_names(out, S::CONSTRUCTORS)?;
     write_lists(out, scene)?;
     if hierarchy.bvh().is_some() {
@@ -99,6 +93,14 @@ pub(super) fn write<S: Literal>(
         direction::<S>(camera.right),
         direction::<S>(camera.up)
     )
+}
+
+/// Returns the type of the accelerator.
+pub(super) fn accelerator<S: Literal>(hierarchy: &Built<S>) -> &'static str {
+    match hierarchy.bvh() {
+        Some(_) => "::rta_core::accelerator::Bvh<'static, Number>",
+        None => "::rta_core::accelerator::Lists",
+    }
 }
 
 fn write_needs(out: &mut impl Write, used: Used) -> fmt::Result {
@@ -247,7 +249,7 @@ fn write_hierarchy<S: Literal>(out: &mut impl Write, hierarchy: &Built<S>) -> fm
     writeln!(out, "    ];")
 }
 
-fn material<S: Literal>(material: &Material<S>) -> String {
+pub(super) fn material<S: Literal>(material: &Material<S>) -> String {
     match material {
         Material::Opaque => "Material::Opaque".into(),
         Material::Shiny => "Material::Shiny".into(),

@@ -2,7 +2,7 @@
 
 pub use rta_core::illumination::table::Kind;
 
-use super::Surface;
+use super::{Dispersion, Surface};
 use crate::gloss;
 
 /// A material: what a scene says of it. What it leaves out, the illumination model decides.
@@ -37,7 +37,7 @@ pub struct Material {
     pub slopes: Vec<Slope>,
     /// Index of refraction of the inside with respect to the outside, above 0.
     pub index: Option<f64>,
-    /// How the index depends on the wavelength; kept for pictures of several wavelengths.
+    /// How the index depends on the wavelength, in pictures of several wavelengths.
     pub dispersion: Option<Dispersion>,
     /// What a metal reflects at perpendicular incidence, linear RGB, each 0 to 1.
     pub metal: Option<[f64; 3]>,
@@ -66,20 +66,6 @@ pub struct Slope {
     pub slope: f64,
     /// Their part of all facets, 0 to 1.
     pub share: f64,
-}
-
-/// How an index of refraction depends on the wavelength.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Dispersion {
-    /// By Cauchy's formula through the index at 587.5618 nm: the Abbe number, above 0.
-    Abbe(f64),
-    /// By Sellmeier's formula, `n^2 = offset + sum B l^2 / (l^2 - C)`, l in micrometres.
-    Sellmeier {
-        /// The first term, usually 1.
-        offset: f64,
-        /// B, and C in square micrometres.
-        terms: Vec<[f64; 2]>,
-    },
 }
 
 /// Transmission of a thin wall: `least + (most - least) (1 - (1 - N.V)^exponent)` (Kay 1979).
@@ -138,6 +124,13 @@ impl Material {
             },
             Surface::Opaque => said,
         }
+    }
+
+    /// Returns the material at a wavelength in nanometres: with the index that it has there.
+    #[must_use]
+    pub fn at(&self, nanometres: f64) -> Self {
+        let at = |dispersion: &Dispersion| dispersion.index(self.index.unwrap_or(1.0), nanometres);
+        Self { index: self.dispersion.as_ref().map(at).or(self.index), ..self.clone() }
     }
 
     /// Returns the coefficients; `None` for a material of one of the thesis's types 0 to 2 that states none.

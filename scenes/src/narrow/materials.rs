@@ -7,6 +7,7 @@ use rta_core::scalar::Unit;
 use rta_core::scene::PLAIN;
 
 use super::check::{Checker, exponent};
+use super::spectrum::Table;
 use super::{Narrow, NarrowError};
 use crate::description::{self, Coefficients, Kind, Surface};
 
@@ -14,16 +15,20 @@ use crate::description::{self, Coefficients, Kind, Surface};
 pub(super) struct Materials<'a, S: Narrow> {
     named: &'a [description::Material],
     numbers: HashMap<[u64; 6], u16>,
-    /// What the scene says of each.
-    pub(super) said: Vec<description::Material>,
-    /// What the tracer must know of each.
-    pub(super) narrowed: Vec<Material<S>>,
+    /// Wavelengths in nanometres; none where materials have the index that they state.
+    wavelengths: Vec<f64>,
+    /// The materials at the first wavelength.
+    pub(super) first: Table<S>,
+    /// The materials at each further wavelength.
+    pub(super) further: Vec<Table<S>>,
 }
 
 impl<'a, S: Narrow> Materials<'a, S> {
-    /// Returns an empty table for a scene with the materials `named`.
-    pub(super) fn new(named: &'a [description::Material]) -> Self {
-        Self { named, numbers: HashMap::new(), said: Vec::new(), narrowed: Vec::new() }
+    /// Returns an empty table for a scene with the materials `named`, at some wavelengths in nanometres; without any, materials have the
+    /// index that they state.
+    pub(super) fn new(named: &'a [description::Material], wavelengths: Vec<f64>) -> Self {
+        let further = wavelengths.iter().skip(1).map(|_| Table::EMPTY).collect();
+        Self { named, numbers: HashMap::new(), wavelengths, first: Table::EMPTY, further }
     }
 
     /// Returns the number of a surface's material; `check` names the object that has it.
@@ -32,13 +37,17 @@ impl<'a, S: Narrow> Materials<'a, S> {
         if let Some(&number) = self.numbers.get(&key) {
             return Ok(number);
         }
-        let number = u16::try_from(self.said.len()).ok().filter(|&number| number < PLAIN);
+        let number = u16::try_from(self.first.said.len()).ok().filter(|&number| number < PLAIN);
         let number = number.ok_or_else(|| {
             check.error("the number of its material", f64::from(PLAIN), f64::from(PLAIN - 1))
         })?;
         let said = description::Material::of(surface, self.named);
-        self.narrowed.push(narrow(check, &said)?);
-        self.said.push(said);
+        let mut wavelengths = self.wavelengths.iter();
+        for table in core::iter::once(&mut self.first).chain(&mut self.further) {
+            let said = wavelengths.next().map_or_else(|| said.clone(), |&nanometres| said.at(nanometres));
+            table.materials.push(narrow(check, &said)?);
+            table.said.push(said);
+        }
         self.numbers.insert(key, number);
         Ok(number)
     }

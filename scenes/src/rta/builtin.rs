@@ -14,6 +14,8 @@ enum Curve {
     Unknown,
     /// Cauchy's formula, by the Abbe number.
     Abbe(f64),
+    /// Cauchy's formula with three terms.
+    Cauchy([f64; 3]),
     /// Sellmeier's formula: the first term, then B, and C in square micrometres.
     Sellmeier(f64, &'static [[f64; 2]]),
     /// Sellmeier's formula: the first term, then B, and the root of C in micrometres.
@@ -31,8 +33,7 @@ const GLASSES: &[Glass] = &[
     glass("air", 1.00028, Curve::Unknown), // Ciddor 1996, 15 C
     glass("ice", 1.3097, Curve::Unknown),  // Warren and Brandt 2008
     glass("water", 1.3334, Curve::Sellmeier(1.0, &WATER)), // Daimon and Masumura 2007, 20 C
-    // Rheims 1997: n = 1.35265 + .00306/l^2 + .00002/l^4, whose Abbe number this is.
-    glass("ethyl-alcohol", 1.3617, Curve::Abbe(59.35)),
+    glass("ethyl-alcohol", 1.3617, Curve::Cauchy([1.35265, 0.00306, 0.00002])), // Rheims 1997
     glass("fused-quartz", 1.4584, Curve::Roots(1.0, &QUARTZ)), // Malitson 1965
     glass("crown", 1.52, Curve::Abbe(59.0)),
     glass("bk7", 1.5168, Curve::Sellmeier(1.0, &BK7)), // Schott 2017
@@ -141,7 +142,7 @@ pub(super) fn surface(name: &str) -> Option<Result<Surface, Material>> {
 }
 
 /// Returns the built-in material of this name, if there is one.
-pub(super) fn material(name: &str) -> Option<Material> {
+pub fn material(name: &str) -> Option<Material> {
     let named = Material { name: name.into(), ..Material::default() };
     let of_kind = |kind| Material { kind, ..named.clone() };
     match name {
@@ -167,6 +168,7 @@ pub(super) fn material(name: &str) -> Option<Material> {
         let dispersion = match *dispersion {
             Curve::Unknown => None,
             Curve::Abbe(number) => Some(Dispersion::Abbe(number)),
+            Curve::Cauchy(terms) => Some(Dispersion::Cauchy(terms)),
             Curve::Sellmeier(offset, terms) => sellmeier(offset, terms.to_vec()),
             Curve::Roots(offset, terms) => {
                 sellmeier(offset, terms.iter().map(|[b, c]| [*b, c * c]).collect())

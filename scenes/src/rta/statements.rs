@@ -133,7 +133,7 @@ const ONCE: &[Statement] = &[
     once(
         "spectral",
         "spectral",
-        "Wavelengths instead of red, green and blue; kept, not drawn yet",
+        "Wavelengths instead of red, green and blue, for glass with dispersion",
         &[must("", &[V("number of wavelengths", Whole(1, 31))], "an odd number")],
     ),
     once(

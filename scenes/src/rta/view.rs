@@ -185,7 +185,6 @@ impl<'a> Reader<'a> {
             let expected = "the number of wavelengths of the spectral (an odd number from 1 to 31)";
             return Err(said.error(place, expected, Found::token(word)));
         }
-        self.undrawn("wavelengths", said.place.0);
         self.scene.settings.wavelengths = Some(number);
         Ok(())
     }

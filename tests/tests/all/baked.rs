@@ -11,7 +11,7 @@ use rta_core::illumination::{Illumination, Phong, Rta, Whitted};
 use rta_core::needs::{Needs, Used};
 use rta_core::range::Admitted;
 use rta_core::raster::{Pixels, Raster};
-use rta_core::trace::Tracer;
+use rta_core::trace::{Spectrum, Tracer};
 use rta_scenes::accelerator::bvh;
 use rta_scenes::bake;
 use rta_scenes::description::Description;
@@ -128,10 +128,34 @@ pub(super) fn draw<S: Narrow, M: Illumination<S>, N: Needs>(
     camera: &Camera<S>,
     model: M,
 ) -> Picture {
-    let raster = Raster::new(SMALL.width, SMALL.height).expect("a raster");
     let tracer: Tracer<_, _, N, STACK, _> =
         Tracer::new(scene, model, SMALL.depth).expect("the stack is deep enough");
-    let light: Vec<_> = Pixels::new(&tracer, camera, raster).collect();
+    picture(&tracer, camera)
+}
+
+/// Draws a scene as a program does that may have several wavelengths: with the model at each of them, their weights, the scenes at all but
+/// the first, and the dispersive materials.
+pub(super) fn draw_spectrum<S: Narrow, M: Illumination<S> + Copy, A: Accelerator<S>, N: Needs>(
+    (scene, camera): (&Admitted<'_, S, A>, &Camera<S>),
+    (model, models): (M, &[M]),
+    scenes: &[Admitted<'_, S, A>],
+    (weights, dispersive): (&[Rgb<S::Unit>], &[u16]),
+) -> Picture {
+    let tracer = |(scene, model): (_, &M)| -> Tracer<_, M, N, STACK, A> {
+        Tracer::new(scene, *model, SMALL.depth).expect("the stack is deep enough")
+    };
+    let further: Vec<_> = scenes.iter().zip(models).map(tracer).collect();
+    let spectrum = Spectrum { weights, further: &further, dispersive };
+    let first = tracer((scene, &model));
+    picture(&if N::SPECTRUM { first.with_spectrum(&spectrum) } else { first }, camera)
+}
+
+fn picture<S: Narrow, M: Illumination<S>, A: Accelerator<S>, N: Needs>(
+    tracer: &Tracer<'_, S, M, N, STACK, A>,
+    camera: &Camera<S>,
+) -> Picture {
+    let raster = Raster::new(SMALL.width, SMALL.height).expect("a raster");
+    let light: Vec<_> = Pixels::new(tracer, camera, raster).collect();
     // Fixed point below 256 is exact in f32, and f64 is rounded as by the engine.
     #[allow(clippy::cast_possible_truncation, reason = "to the nearest")]
     let single = |light| S::light_to_f64(light) as f32;

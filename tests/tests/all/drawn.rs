@@ -5,7 +5,7 @@
 
 use rta::engine::Settings;
 
-use super::baked::{Picture, SMALL, by_engine, draw};
+use super::baked::{Picture, SMALL, by_engine, draw_spectrum};
 
 /// Makes the test of a baked scene, by the name of its module and the text of its scene file.
 macro_rules! drawn {
@@ -18,7 +18,13 @@ macro_rules! drawn {
 
             #[test]
             fn is_drawn_as_the_engine_draws_it() {
-                let got = super::draw::<_, _, scene::Needs>(&scene::SCENE, &scene::CAMERA, scene::model());
+                let [model, further @ ..] = scene::models();
+                let got = super::draw_spectrum::<_, _, _, scene::Needs>(
+                    (&scene::SCENE, &scene::CAMERA),
+                    (model, &further),
+                    &scene::FURTHER,
+                    (&scene::WEIGHTS, &scene::DISPERSIVE),
+                );
                 super::check($text, &got);
             }
         }

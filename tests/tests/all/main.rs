@@ -39,6 +39,7 @@ mod scene_page;
 mod single_rays;
 mod solid_cases;
 mod solids;
+mod spectral;
 mod stability;
 mod stack;
 mod thin;

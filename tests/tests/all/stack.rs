@@ -10,7 +10,7 @@ use rta_core::trace::Tracer;
 use rta_core::{Q16, Q20};
 use rta_scenes::narrow::Narrow;
 
-const fn bytes<S: Narrow, M: Illumination<S>, const STACK: usize>() -> usize {
+const fn bytes<S: Narrow, M: Illumination<S> + 'static, const STACK: usize>() -> usize {
     Tracer::<'static, S, M, Everything, STACK>::STACK_BYTES
 }
 

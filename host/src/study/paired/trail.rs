@@ -13,12 +13,11 @@ use rta_core::needs::Everything;
 use rta_core::range::Admitted;
 use rta_core::raster::Raster;
 use rta_core::sampling::{Center, Places};
-use rta_core::trace::Tracer;
 use rta_packets::{Packets, ShadowCache, ToF32};
 use rta_scenes::description::Description;
 use rta_scenes::in_format;
-use rta_scenes::narrow::narrow;
-use rta_scenes::shading::any_model;
+use rta_scenes::narrow::{Narrowed, narrow};
+use rta_scenes::shading::{AnyTracer, Wavelengths};
 
 use super::log::{self, Log};
 use super::ray_tree::RayTree;
@@ -108,9 +107,19 @@ fn traced<S: Readable + ToF32>(
     narrowed.scene().check_depth(depth)?;
     let packets = Packets::build::<S>(scene);
     let admitted = Admitted::baked(narrowed.scene(), limits, &packets);
-    let model = any_model(settings.model, &scene.air, &narrowed, &admitted);
-    let tracer =
-        Tracer::<S, _, Everything, { MAX_DEPTH as usize }, _>::new(&admitted, model, settings.depth)?;
+    let wavelengths = Wavelengths::new(settings.model, &scene.air, &narrowed, &admitted);
+    let place = (&narrowed, raster, window);
+    Ok(wavelengths
+        .with_tracer(&narrowed, &admitted, (settings.depth, None), |tracer| trace(tracer, place))?)
+}
+
+type Traced<'t, 'a, S> = AnyTracer<'t, S, Everything, { MAX_DEPTH as usize }, &'a Packets>;
+
+/// Traces the pixels of a window. Where one is made of several wavelengths, the trees of all follow each other.
+fn trace<S: Readable + ToF32>(
+    tracer: &Traced<'_, '_, S>,
+    (narrowed, raster, window): (&Narrowed<S>, Raster, &Window),
+) -> Vec<Pixel> {
     let rows = window.rows.start..window.rows.end.min(raster.height());
     let row = |y: u32| -> Vec<Pixel> {
         let mut recorder = Recorder::new(&narrowed.scene());
@@ -130,5 +139,5 @@ fn traced<S: Readable + ToF32>(
         });
         pixels.collect()
     };
-    Ok(rows.into_par_iter().flat_map_iter(row).collect())
+    rows.into_par_iter().flat_map_iter(row).collect()
 }

@@ -14,6 +14,7 @@ use rta_scenes::narrow::{Narrow, conductor, exponent};
 
 use super::albedo::albedo;
 use super::frame::{Lit, cosine, direction, facet, positive, reflected_lamp, roughness};
+use super::spectrum;
 
 /// A function that values can be stated of.
 #[derive(Clone, Copy, Debug)]
@@ -129,6 +130,11 @@ pub(super) fn all<S: Narrow>() -> Vec<Function> {
             let [height, from, to] = [h, t0, t1].map(S::length);
             S::power_to_f64(airlight(positive::<S>(s), height, from, to, HALVINGS))
         };
+        spectral(count, i, register) within NEAR => spectrum::weight::<S>(count, i, register);
+        sellmeier(k, nm) within NEAR => spectrum::sellmeier::<S>(k, nm);
+        rocksalt(nm) within NEAR => spectrum::built_in::<S>("rock-salt", nm);
+        ethanol(nm) within NEAR => spectrum::built_in::<S>("ethyl-alcohol", nm);
+        cauchy(nd, abbe, nm) within NEAR => spectrum::cauchy::<S>(nd, abbe, nm);
     }
 }
 

@@ -37,6 +37,8 @@ pub(super) fn material(own: &Material, text: &mut String) {
     words.name("", &own.name);
     let is_metal = own.metal.is_some() || own.nk.is_some();
     match own.kind {
+        // The only one whose dispersion has no statement of its own.
+        _ if matches!(own.dispersion, Some(Dispersion::Cauchy(_))) => _ = words.name("like", "ethyl-alcohol"),
         // A metal is one by itself.
         Kind::Opaque if is_metal => _ = words.name("like", "opaque"),
         Kind::Opaque | Kind::Metal => {}
@@ -63,7 +65,7 @@ pub(super) fn material(own: &Material, text: &mut String) {
     }
     words.maybe(own.index, |words, index| words.number("index", index));
     match &own.dispersion {
-        None => {}
+        None | Some(Dispersion::Cauchy(_)) => {}
         Some(Dispersion::Abbe(number)) => _ = words.number("abbe", *number),
         Some(Dispersion::Sellmeier { offset, terms }) => {
             words.word("sellmeier");

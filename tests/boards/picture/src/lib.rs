@@ -8,9 +8,10 @@ pub mod stream;
 use rta_core::accelerator::Accelerator;
 use rta_core::color::Rgb;
 use rta_core::illumination::Illumination;
+use rta_core::needs::Needs as _;
 use rta_core::raster::lattice::Lattice;
 use rta_core::raster::{Pixels, Raster};
-use rta_core::trace::Tracer;
+use rta_core::trace::{Spectrum, Tracer};
 use rta_drivers::checksum::{Checksum, Unseen};
 use rta_drivers::display::{Capabilities, Display};
 use rta_drivers::dither::{Cell, Damped, Diffusion, Dither};
@@ -112,27 +113,43 @@ fn draw_sized<D: Display, T: ColorTable>(
 ) -> Result<D, DrawError<D::Error>> {
     let raster = Raster::new(width, height).map_err(DrawError::Tracer)?;
     let scene = if BAKED { &scene::SCENE } else { core::hint::black_box(&scene::SCENE) };
-    let tracer: Traced<'_, _, _> =
-        Tracer::new(scene, scene::model(), DEPTH.into()).map_err(DrawError::Tracer)?;
-    if COLORS == Colors::Standard {
-        return paint(
-            &tracer,
-            raster,
-            Painter::new(display, table).map_err(DrawError::Display)?,
-            origin,
-            row,
-        );
+    let [model, further @ ..] = scene::models();
+    let tracer: Traced<'_, _, _> = Tracer::new(scene, model, DEPTH.into()).map_err(DrawError::Tracer)?;
+    if Needs::SPECTRUM {
+        let mut scenes = scene::FURTHER.iter();
+        let further = further.map(|model| {
+            let scene = scenes.next().unwrap_or(scene);
+            Tracer::new(scene, model, DEPTH.into()).unwrap_or(tracer)
+        });
+        let (weights, dispersive) = (&scene::WEIGHTS[..], &scene::DISPERSIVE[..]);
+        let spectrum = Spectrum { weights, further: &further, dispersive };
+        return traced(&tracer.with_spectrum(&spectrum), raster, (display, table), origin, row);
     }
-    let mut palette = palette(&tracer, raster, display.capabilities()).map_err(DrawError::Table)?;
+    traced(&tracer, raster, (display, table), origin, row)
+}
+
+/// Draws the picture of a tracer.
+#[inline(always)] // it has one caller in a program
+fn traced<D: Display, T: ColorTable, M: Illumination<scene::Number>, A: Accelerator<scene::Number>>(
+    tracer: &Traced<'_, M, A>,
+    raster: Raster,
+    (display, table): (D, T),
+    origin: (u32, u32),
+    row: impl FnMut(),
+) -> Result<D, DrawError<D::Error>> {
+    if COLORS == Colors::Standard {
+        return paint(tracer, raster, Painter::new(display, table).map_err(DrawError::Display)?, origin, row);
+    }
+    let mut palette = palette(tracer, raster, display.capabilities()).map_err(DrawError::Table)?;
     if COLORS == Colors::Dithered {
         // The hash is that of rows of 160.
         let mut cells = [Cell::default(); if WIDTH < 160 { 160 } else { WIDTH as usize }];
-        if let Ok(diffusion) = Diffusion::<Damped, _>::new(&mut cells[..], width as usize) {
+        if let Ok(diffusion) = Diffusion::<Damped, _>::new(&mut cells[..], raster.width() as usize) {
             let painter = Painter::dithered(display, &mut palette, diffusion).map_err(DrawError::Display)?;
-            return paint(&tracer, raster, painter, origin, row);
+            return paint(tracer, raster, painter, origin, row);
         }
     }
-    paint(&tracer, raster, Painter::new(display, &mut palette).map_err(DrawError::Display)?, origin, row)
+    paint(tracer, raster, Painter::new(display, &mut palette).map_err(DrawError::Display)?, origin, row)
 }
 
 /// Makes a palette for the picture on a display, from samples of it.
