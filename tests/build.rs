@@ -6,7 +6,7 @@ use std::env;
 use std::fs;
 use std::path::PathBuf;
 
-use rta_scenes::bake::{Format, Model, Recipe, bake, module};
+use rta_scenes::bake::{Format, Model, Recipe, TEXELS, bake, module};
 
 /// Scene files, and the name of each in Rust.
 const SCENES: [(&str, &str); 3] = [
@@ -71,17 +71,25 @@ const CHOICES: [&str; 22] = [
     "kay-greenberg\nattenuation warnock from 6\nmedium extinction .05  albedo .5",
 ];
 
+/// Scenes with coats, and one of several wavelengths.
+const SURFACES: [&str; 2] = ["scenes/surfaces.rta", "scenes/wavelengths.rta"];
+
 /// Bakes the scene `models.rta` with every model, and with each choice, and writes the tests of `tests/all/drawn.rs`.
 fn write_drawn() -> Result<(), Box<dyn Error>> {
     const FILE: &str = "scenes/models.rta";
     println!("cargo::rerun-if-changed={FILE}");
     let scene = fs::read_to_string(FILE)?;
     let names = Model::ALL.iter().map(|model| model.name());
+    let mut texts: Vec<_> = names.chain(CHOICES).map(|choice| format!("{scene}model {choice}\n")).collect();
+    for file in SURFACES {
+        println!("cargo::rerun-if-changed={file}");
+        texts.push(fs::read_to_string(file)?);
+    }
     let mut tests = String::new();
-    for (number, choice) in names.chain(CHOICES).enumerate() {
-        let text = format!("{scene}model {choice}\n");
+    for (number, text) in texts.iter().enumerate() {
         let name = format!("drawn_{number}");
-        let read = rta_scenes::read(text.as_bytes(), "models.rta")?;
+        let mut read = rta_scenes::read(text.as_bytes(), "models.rta")?;
+        read.load_pictures("scenes".as_ref(), TEXELS)?;
         let recipe = Recipe { model: read.model, ..Recipe::new(Format::Q16) };
         fs::write(out()?.join(&name).with_extension("rs"), module(&read, &name, &recipe)?)?;
         tests += &format!("drawn! {{ {name}: {text:?} }}\n");

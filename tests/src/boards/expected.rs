@@ -1,5 +1,7 @@
 //! The picture that a board must draw: the engine's, through the board's colour table.
 
+use std::path::Path;
+
 use rta::coloring::{Coloring, DitherKind, Table as Any, TableKind};
 use rta::device::Device;
 use rta::engine::{Engine, Format, Settings};
@@ -10,6 +12,7 @@ use rta_drivers::checksum::{Checksum, Unseen};
 use rta_drivers::display::{Capabilities, Display, DriverError};
 use rta_drivers::painter::Painter;
 use rta_drivers::quantize::{Adaptive, ColorTable, Uniform};
+use rta_scenes::bake::TEXELS;
 
 use super::Failure;
 use super::board::Output;
@@ -76,7 +79,8 @@ fn paint(
     table: impl ColorTable + Send + 'static,
 ) -> Result<Indexed, Failure> {
     let text = std::fs::read(&picture.file)?;
-    let scene = rta_scenes::read(&text, &picture.file.display().to_string())?;
+    let mut scene = rta_scenes::read(&text, &picture.file.display().to_string())?;
+    scene.load_pictures(picture.file.parent().unwrap_or_else(|| Path::new("")), TEXELS)?;
     let format: Format = picture.format;
     let model = picture.model.unwrap_or(scene.model);
     let engine = Engine::new(&scene, &Settings { width, height, format, model, ..Settings::default() })?;

@@ -55,7 +55,14 @@ impl Picture {
     pub fn is_brief(&self, board: &Board) -> bool {
         if let Some(model) = self.model {
             let is_drawn = matches!(board.name, "microbit" | "sparc" | "wasm") && BRIEF.contains(&model);
-            return is_drawn || self.scene != MODELS.0;
+            let is_own = match self.scene {
+                scene if scene == MODELS.0 => false,
+                scene if OF_SURFACES.iter().any(|(own, _)| *own == scene) => {
+                    matches!(board.name, "microbit" | "sparc" | "wasm")
+                }
+                _ => true,
+            };
+            return is_drawn || is_own;
         }
         let any_scene = matches!(
             (board.name, self.scene, self.format),
@@ -133,6 +140,10 @@ pub const LIMITS: [(Model, i64); 4] = [
 /// A scene with air, drawn by its own model.
 pub const HAZE: (&str, &str) = ("haze", "../../scenes/haze.rta");
 
+/// Scenes that every board draws by Whitted's model: patterns, pictures, bumps and mapped surroundings on all kinds of things; and wavelengths.
+const OF_SURFACES: [(&str, &str); 2] =
+    [("surfaces", "../scenes/surfaces.rta"), ("wavelengths", "../scenes/wavelengths.rta")];
+
 /// The scenes that are drawn: name, and file relative to the folder of the boards.
 const SCENES: [(&str, &str); 4] = [
     ("opaque", "scenes/opaque.dat"),
@@ -205,6 +216,7 @@ impl Board {
             size,
         };
         let mut pictures: Vec<_> = Model::ALL.iter().map(|&model| picture(MODELS, model)).collect();
+        pictures.extend(OF_SURFACES.map(|scene| picture(scene, Model::Whitted)));
         if self.name == "microbit" {
             let measured = [Model::Whitted].into_iter().chain(LIMITS.map(|(model, _)| model));
             let measured = measured.flat_map(|model| MEASURED.map(|scene| picture(scene, model)));

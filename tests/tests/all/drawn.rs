@@ -4,6 +4,7 @@
 //! `build.rs` writes the list, from the core's list of models; a new model is tested without a change.
 
 use rta::engine::Settings;
+use rta_scenes::bake::TEXELS;
 
 use super::baked::{Picture, SMALL, by_engine, draw_spectrum};
 
@@ -34,7 +35,9 @@ macro_rules! drawn {
 include!(concat!(env!("OUT_DIR"), "/drawn.rs"));
 
 fn check(text: &str, got: &Picture) {
-    let scene = rta_scenes::read(text.as_bytes(), "models.rta").expect("it was baked");
+    let mut scene = rta_scenes::read(text.as_bytes(), "models.rta").expect("it was baked");
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/scenes");
+    scene.load_pictures(folder.as_ref(), TEXELS).expect("they were baked");
     let settings = Settings { model: scene.model, ..SMALL };
     let want = by_engine(&scene, &settings);
     let model = text.lines().rev().find(|line| line.starts_with("model")).unwrap_or_default();
