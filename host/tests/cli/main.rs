@@ -19,6 +19,7 @@ mod pipes;
 mod refused;
 mod report;
 mod show;
+mod textures;
 mod window;
 
 use folder::Folder;

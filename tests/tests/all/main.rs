@@ -13,6 +13,7 @@ mod branches;
 mod bvh;
 mod cases;
 mod circles;
+mod coats;
 mod devices;
 mod drawn;
 mod edges;
