@@ -1,4 +1,5 @@
 //! Values of the curves that are stated elsewhere, most of them in the formulas' own documents.
+#![allow(clippy::indexing_slicing, reason = "a test may panic")]
 
 use super::Content;
 use super::list::ALL;
