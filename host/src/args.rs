@@ -17,8 +17,8 @@ pub use pages::{CompletionsArgs, ManArgs};
 pub use picture::{HashArgs, RenderArgs, ShowArgs};
 pub use scene::{BakeArgs, CheckArgs, ConvertArgs, ReadingArgs};
 pub use study::{
-    BenchArgs, CompareArgs, DifferenceArgs, IndexingArgs, InstructionsArgs, PaletteArgs, Peer, ReportArgs,
-    StabilityArgs, TracedArgs, ValuesArgs,
+    BenchArgs, CompareArgs, DifferenceArgs, FiguresArgs, IndexingArgs, InstructionsArgs, PaletteArgs, Peer,
+    ReportArgs, StabilityArgs, TracedArgs, ValuesArgs,
 };
 pub use tracing::TracingArgs;
 
@@ -105,6 +105,12 @@ pub enum Command {
     /// report.md, which names the cheapest setting for each error, report.csv with everything, and for each scene
     /// a work-precision diagram in SVG and PNG.
     Report(ReportArgs),
+    /// Draw the thesis's figures again: curves and pictures on one page
+    ///
+    /// What surfaces reflect, glass bends and air takes away, as curves of the functions that pictures are made with, and
+    /// spheres by every model. In the folder it leaves index.html with captions, formulas and sources, and each figure
+    /// as a PNG, a diagram also as an SVG. It takes seconds.
+    Figures(FiguresArgs),
     /// Measure how long pictures take on one core
     ///
     /// Each is traced several times by one thread, by the same code as a picture file without a device, and the least

@@ -9,7 +9,7 @@ use rta::commands::show::window;
 use rta::commands::{bake, check, convert, explain, hash, pages, render};
 use rta::engine::interrupt;
 use rta::error::Error;
-use rta::study::{bench, compare, difference, models, palette, report, stability, values};
+use rta::study::{bench, compare, difference, figures, models, palette, report, stability, values};
 
 /// Exit status after a comparison that found a difference, which is no error of the program's.
 const DIFFERENT: u8 = 1;
@@ -48,6 +48,7 @@ fn run(command: Option<Command>) -> Result<(), Error> {
         Some(Command::Show(args)) => window::run(&args)?,
         Some(Command::Render(args)) => render::run(&args)?,
         Some(Command::Report(args)) => report::run(&args)?,
+        Some(Command::Figures(args)) => figures::run(&args)?,
         Some(Command::Instructions(args)) => report::instructions::run(&args)?,
         Some(Command::Bench(args)) => bench::run(&args)?,
         Some(Command::Traced(args)) => bench::child::run(&args)?,

@@ -1,4 +1,4 @@
-//! Arguments of the studies: `rta bench`, `rta report`, `rta stability`, `rta palette` and `rta difference`, and of their children
+//! Arguments of the studies: `rta bench`, `rta report`, `rta figures`, `rta stability`, `rta palette` and `rta difference`, and of their children
 //! under valgrind.
 
 use std::path::PathBuf;
@@ -91,6 +91,14 @@ pub struct ReportArgs {
     /// Shape of the screen.
     #[arg(long, value_name = "RATIO", default_value = "4:3", hide = true)]
     pub aspect: Aspect,
+}
+
+/// `rta figures`.
+#[derive(Args, Debug)]
+pub struct FiguresArgs {
+    /// Folder that the figures are written to; it is made if it is not there
+    #[arg(short, long, value_name = "FOLDER")]
+    pub output: PathBuf,
 }
 
 /// `rta instructions`: the scene comes from standard input.

@@ -119,6 +119,14 @@ impl SceneFile {
         Some(Self::parse(name, title, text.as_bytes(), Reading::default()))
     }
 
+    /// Returns the scene that a text of the program describes, in the language `.rta`.
+    ///
+    /// # Errors
+    /// [`RequestError::Scene`] if the text is malformed.
+    pub fn of_text(title: &str, text: &str) -> Result<Self, RequestError> {
+        Self::parse(&format!("{title}.rta"), title, text.as_bytes(), Reading::default())
+    }
+
     fn parse(source: &str, title: &str, text: &[u8], reading: Reading) -> Result<Self, RequestError> {
         let description = rta_scenes::read_with(text, source, reading)?;
         let mut to = io::stderr().lock();

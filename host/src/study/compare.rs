@@ -1,5 +1,9 @@
 //! `rta compare`: one scene by several illumination models, side by side.
 
+use core::sync::atomic::AtomicBool;
+
+use rayon::ThreadPool;
+
 use super::error::StudyError;
 use super::palette::traced::Traced;
 use super::sheet::{beside, cell, displayed, stacked, title};
@@ -8,6 +12,7 @@ use crate::engine::{Model, bands, interrupt};
 use crate::picture::device::Target;
 use crate::picture::error::PictureError;
 use crate::picture::file::Caption;
+use crate::picture::frame::Frame;
 use crate::picture::output::{Failure, PictureOutput};
 use crate::request::Request;
 use crate::request::scene_file::SceneFile;
@@ -28,14 +33,7 @@ pub fn run(args: &CompareArgs) -> Result<(), StudyError> {
     let (file_type, output) = (output.file_type(), output.beside(&scene.inputs)?);
     let request = args.tracing.request_for(Target::None, &scene)?;
     let (pool, stop) = (bands::pool(args.tracing.threads)?, interrupt::watch());
-    let picture = |&model: &Model| {
-        let request = Request { model, ..request.clone() };
-        let Traced { size, aspect, reference, .. } = Traced::new(&request, &scene, &pool, stop)?;
-        let facts = model.facts();
-        let name = [model.name(), facts.year].join(" ");
-        Ok(cell((size, aspect), &reference, name.trim()))
-    };
-    let cells = args.models.0.iter().map(picture).collect::<Result<Vec<_>, StudyError>>()?;
+    let cells = cells(&args.models.0, &request, &scene, &pool, stop)?;
     let lines: Vec<_> = cells.chunks(ACROSS).map(beside).collect();
     let width = lines.first().map_or(0, |line| line.width);
     let caption = request.caption(&scene);
@@ -47,4 +45,25 @@ pub fn run(args: &CompareArgs) -> Result<(), StudyError> {
     let caption = Caption { title: caption.title, settings };
     output.fill(|out| sheet.write(file_type, &caption, out).map_err(Failure::<StudyError>::Write))?;
     Ok(())
+}
+
+/// Returns the picture of a scene by each model, above the model's name and year.
+///
+/// # Errors
+/// Those of [`Traced::new`].
+pub(super) fn cells(
+    models: &[Model],
+    request: &Request,
+    scene: &SceneFile,
+    pool: &ThreadPool,
+    stop: &AtomicBool,
+) -> Result<Vec<Frame>, StudyError> {
+    let picture = |&model: &Model| {
+        let request = Request { model, ..request.clone() };
+        let Traced { size, aspect, reference, .. } = Traced::new(&request, scene, pool, stop)?;
+        let facts = model.facts();
+        let name = [model.name(), facts.year].join(" ");
+        Ok(cell((size, aspect), &reference, name.trim()))
+    };
+    models.iter().map(picture).collect()
 }

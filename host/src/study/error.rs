@@ -88,6 +88,14 @@ pub enum StudyError {
     /// The report's tables or diagrams cannot be made.
     #[error("the report: {0}")]
     Report(Box<dyn core::error::Error + Send + Sync>),
+    /// A figure cannot be drawn.
+    #[error("the figure {name}: {source}")]
+    Figure {
+        /// The figure.
+        name: &'static str,
+        /// The reason.
+        source: Box<dyn core::error::Error + Send + Sync>,
+    },
 }
 
 impl StudyError {

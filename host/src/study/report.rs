@@ -19,11 +19,11 @@ use crate::engine::interrupt;
 use crate::engine::progress::Progress;
 use crate::picture::device::Device;
 use crate::picture::error::PictureError;
-use crate::picture::file::{Caption, Displayed, Pixels};
+use crate::picture::file::Caption;
 use crate::picture::output::{self, Failure, Inputs, Output};
-use crate::picture::raster::Size;
 use crate::request::scene_file::SceneFile;
 use crate::study::error::StudyError;
+use crate::study::plot;
 
 pub mod bench;
 pub mod contributions;
@@ -125,17 +125,10 @@ impl Files {
         for (study, [svg, png]) in studies.iter().zip(self.diagrams) {
             svg.write(diagram::svg(study).map_err(StudyError::report)?.as_bytes())?;
             let settings = "error against run time".to_owned();
-            let (diagram, caption) = (png_of(study)?, Caption { title: study.title.clone(), settings });
+            let diagram = plot::displayed(study).map_err(StudyError::report)?;
+            let caption = Caption { title: study.title.clone(), settings };
             png.fill(|out| Ok::<_, Failure<StudyError>>(diagram.write_png(&caption, out)?))?;
         }
         Ok(self.page.write(page::markdown(studies, setup.size, setup.aspect).as_bytes())?)
     }
-}
-
-/// Returns a diagram as a picture with square pixels.
-fn png_of(study: &Study) -> Result<Displayed, StudyError> {
-    let (width, height) = diagram::SIZE;
-    let pixels = diagram::pixels(study).map_err(StudyError::report)?;
-    let size = Size::new(width, height).map_err(StudyError::report)?;
-    Ok(Displayed { size, aspect: size.ratio(), pixels: Pixels::Direct(pixels) })
 }

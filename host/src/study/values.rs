@@ -56,6 +56,13 @@ pub fn names() -> Vec<&'static str> {
     all::<f64>().iter().map(|function| function.name).collect()
 }
 
+/// Returns what a function that is known by this name returns in f64 for as many numbers as it has arguments; no number for a name
+/// that is not known.
+pub(super) fn value(name: &str) -> impl Fn(&[f64]) -> f64 {
+    let known = all::<f64>().into_iter().find(|function| function.name == name);
+    move |numbers| known.map_or(f64::NAN, |function| (function.compute)(numbers))
+}
+
 /// Compares all values that a text states with what the program computes in a number format. They agree where they differ by at
 /// most `tolerance` times the value, or by 1e-9 in f64, 1e-6 in f32, 2^-16 in fixed point. Without a tolerance it is 1e-6 in
 /// f64, 1e-5 in f32 and the function's own in fixed point.

@@ -6,6 +6,7 @@
 use std::process::Output;
 
 mod bench;
+mod figures;
 mod firmware;
 mod folder;
 mod language;

@@ -1,12 +1,9 @@
 //! The work-precision diagram.
 
 use core::ops::Range;
-use std::sync::Once;
 
-use plotters::coord::Shift;
 use plotters::coord::combinators::{BindKeyPoints, LogCoord, WithKeyPoints};
 use plotters::prelude::*;
-use plotters::style::{FontStyle, register_font};
 use rta_core::color::Rgb;
 use rta_core::sampling::Places;
 
@@ -14,6 +11,7 @@ use super::measure::pareto_front;
 use super::setting::Method;
 use super::study::{Row, Study};
 use crate::engine::Format;
+use crate::study::plot::{self, Area, BOLD, DiagramError, DrawError, Drawing, LIGHT};
 
 /// Pixels of a diagram.
 pub const SIZE: (u32, u32) = (1200, 800);
@@ -24,25 +22,15 @@ const KEY: u32 = 260;
 /// One level of guns with 4, 6 and 8 bits: the devices' own.
 const LEVELS: [(&str, f64); 3] = [("1/15", 1.0 / 15.0), ("1/63", 1.0 / 63.0), ("1/255", 1.0 / 255.0)];
 
-type DrawError<B> = DrawingAreaErrorKind<<B as DrawingBackend>::ErrorType>;
-type Area<B> = DrawingArea<B, Shift>;
 type Chart<'a, B> =
     ChartContext<'a, B, Cartesian2d<WithKeyPoints<LogCoord<f64>>, WithKeyPoints<LogCoord<f64>>>>;
-
-/// Why a diagram cannot be drawn.
-#[derive(Debug, thiserror::Error)]
-#[error("cannot draw the diagram: {0}")]
-pub struct DiagramError(String);
 
 /// Returns the diagram as SVG, with its text as text elements.
 ///
 /// # Errors
 /// [`DiagramError`].
 pub fn svg(study: &Study) -> Result<String, DiagramError> {
-    let mut text = String::new();
-    draw(&SVGBackend::with_string(&mut text, SIZE).into_drawing_area(), study)
-        .map_err(|error| DiagramError(error.to_string()))?;
-    Ok(text)
+    plot::svg(study)
 }
 
 /// Returns the diagram's pixels, row by row from the top.
@@ -50,19 +38,15 @@ pub fn svg(study: &Study) -> Result<String, DiagramError> {
 /// # Errors
 /// [`DiagramError`].
 pub fn pixels(study: &Study) -> Result<Vec<Rgb<u8>>, DiagramError> {
-    let mut pixels = vec![0; SIZE.0 as usize * SIZE.1 as usize * 3];
-    draw(&BitMapBackend::with_buffer(&mut pixels, SIZE).into_drawing_area(), study)
-        .map_err(|error| DiagramError(error.to_string()))?;
-    Ok(pixels.chunks_exact(3).filter_map(|p| Some(Rgb::new(*p.first()?, *p.get(1)?, *p.get(2)?))).collect())
+    plot::pixels(study)
 }
 
-/// A font for machines without one.
-fn font() {
-    static ONCE: Once = Once::new();
-    ONCE.call_once(|| {
-        // It is a font, or there is none and drawing says so.
-        let _ = register_font("sans-serif", FontStyle::Normal, epaint_default_fonts::HACK_REGULAR);
-    });
+impl Drawing for Study {
+    const SIZE: (u32, u32) = SIZE;
+
+    fn draw<B: DrawingBackend>(&self, area: &Area<B>) -> Result<(), DrawError<B>> {
+        draw(area, self)
+    }
 }
 
 /// Returns the cost of a setting: its place on the diagram's horizontal axis.
@@ -129,8 +113,6 @@ fn axis(range: &Range<f64>) -> WithKeyPoints<LogCoord<f64>> {
 }
 
 fn draw<B: DrawingBackend>(root: &Area<B>, study: &Study) -> Result<(), DrawError<B>> {
-    font();
-    root.fill(&WHITE)?;
     let (left, key) = root.split_horizontally(SIZE.0 - KEY);
     let rows = &study.rows;
     let counted = rows.iter().all(|row| row.instructions.is_some());
@@ -149,8 +131,8 @@ fn draw<B: DrawingBackend>(root: &Area<B>, study: &Study) -> Result<(), DrawErro
         .y_label_formatter(&|value| label(*value))
         .axis_desc_style(("sans-serif", 15))
         .label_style(("sans-serif", 12))
-        .light_line_style(RGBColor(240, 240, 240))
-        .bold_line_style(RGBColor(215, 215, 215))
+        .light_line_style(LIGHT)
+        .bold_line_style(BOLD)
         .draw()?;
     levels(&mut chart, rows)?;
     let mut methods: Vec<Method> = Vec::new();
@@ -166,8 +148,7 @@ fn draw<B: DrawingBackend>(root: &Area<B>, study: &Study) -> Result<(), DrawErro
     let best: Vec<_> = best.map(|row| (cost(row), row.total.rmse)).collect();
     chart.draw_series(LineSeries::new(best.iter().copied(), BLACK.stroke_width(2)))?;
     chart.draw_series(best.into_iter().map(|point| Circle::new(point, 6, BLACK.stroke_width(2))))?;
-    legend(&key, &methods)?;
-    root.present()
+    legend(&key, &methods)
 }
 
 /// The label of a tick.
