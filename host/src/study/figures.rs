@@ -2,11 +2,11 @@
 //!
 //! | step | where |
 //! | --- | --- |
-//! | all figures, each with what is to be said of it | [`list`] |
-//! | the points of the curves | [`curves`] |
-//! | the pictures | [`pictures`] |
-//! | a diagram of curves | [`chart`] |
-//! | the page | [`page`] |
+//! | all figures, each with what is to be said of it | `list` |
+//! | the points of the curves | `curves` |
+//! | the pictures | `pictures` |
+//! | a diagram of curves | `chart` |
+//! | the page | `page` |
 
 use core::sync::atomic::AtomicBool;
 use std::path::Path;

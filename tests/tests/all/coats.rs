@@ -1,4 +1,5 @@
 //! Coats of materials in pictures: patterns in all number formats, and mapped surroundings beside mirrors.
+#![allow(clippy::indexing_slicing)] // a test may panic
 
 use rta::engine::{Engine, Format, Settings};
 use rta_core::color::Rgb;
