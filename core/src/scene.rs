@@ -229,14 +229,20 @@ impl<'a, S: Scalar> Scene<'a, S> {
 
     /// Returns the radiance that comes from a direction, a unit vector, in which there is nothing.
     pub fn radiance<N: Needs>(&self, direction: UnitVec3<S>) -> Rgb<S::Light> {
-        if N::SKY_MAP
-            && let Some(coat) = self.coats.get(self.materials.len())
-            && let Some(texture) = &coat.texture
-            && let Pattern::Image(image) = &texture.pattern
-        {
-            return image.sky::<S>(self.pool, direction);
+        if N::SKY_MAP && self.coats.len() > self.materials.len() {
+            return self.mapped_sky(direction);
         }
         self.sky.radiance::<N>(direction)
+    }
+
+    /// Returns the radiance that the picture of the sky has in a direction; none without a picture.
+    #[inline(never)] // inlined, it keeps other code from being so
+    fn mapped_sky(&self, direction: UnitVec3<S>) -> Rgb<S::Light> {
+        let texture = self.coats.get(self.materials.len()).and_then(|coat| coat.texture.as_ref());
+        match texture.map(|texture| &texture.pattern) {
+            Some(Pattern::Image(image)) => image.sky::<S>(self.pool, direction),
+            _ => Rgb::BLACK,
+        }
     }
 
     /// Returns an empty chequered floor under a blue sky by day, with ambient light and no lamp.

@@ -37,20 +37,31 @@ impl<W> Branch<W> {
 
 /// Returns the radiance that a surface sends back without its lamps and its secondary rays: of ambient light, and of the sky where that is all
 /// that its mirror ray sees.
+#[cfg_attr(not(target_os = "none"), inline(always))]
 pub fn own<S: Scalar, M: Illumination<S>, N: Needs>(
     model: &M,
     surface: &Surface<S>,
     scene: &Scene<S>,
 ) -> Rgb<S::Light> {
     let light = model.ambient::<N>(surface, scene.ambient);
-    if N::SURROUNDINGS
-        && surface.surroundings
-        && let Some(weight) = model.secondary::<N>(surface).reflected
-    {
-        let direction = surface.fold::<N>(surface.incoming.reflect(surface.normal), true);
-        return light.plus(weight.filter(scene.radiance::<N>(direction)));
+    if !(N::SURROUNDINGS && surface.surroundings) {
+        return light;
     }
-    light
+    // A copy, so that the surface need not be in memory where this is not asked.
+    let seen = *surface;
+    light.plus(mirrored_sky::<S, M, N>(model, &seen, scene))
+}
+
+/// Returns the radiance that a surface sends back of the sky in the direction of its mirror ray.
+#[inline(never)] // few surfaces ask
+fn mirrored_sky<S: Scalar, M: Illumination<S>, N: Needs>(
+    model: &M,
+    surface: &Surface<S>,
+    scene: &Scene<S>,
+) -> Rgb<S::Light> {
+    let Some(weight) = model.secondary::<N>(surface).reflected else { return Rgb::BLACK };
+    let direction = surface.fold::<N>(surface.incoming.reflect(surface.normal), true);
+    weight.filter(scene.radiance::<N>(direction))
 }
 
 /// Returns the radiance that a surface sends back of a lamp, before shadows: black where the lamp is behind the surface, unless

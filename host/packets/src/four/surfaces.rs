@@ -224,13 +224,19 @@ impl<'a> Surfaces4<'a> {
         spots.inside = normal.dot(rays.direction).cmpgt(Vec4::ZERO);
         spots.spot.normal = Vec3x4::select(spots.inside, -normal, normal);
         if N::COATS && !world.scene.coats.is_empty() {
-            for k in Bits(spots.on & !alone) {
-                let mut surface = spots.surface(rays, k);
-                if let Some(object) = one(&nearest.objects, k) {
-                    world.cover::<N>(&mut surface, object);
-                }
-                spots.cover(k, &surface);
+            spots.cover_all::<N>(world, rays, nearest, spots.on & !alone);
+        }
+    }
+
+    /// Covers some of the surfaces with their materials' coats.
+    #[inline(never)] // scenes without coats do not pay for it
+    fn cover_all<N: Needs>(&mut self, world: &World<'a, f32>, rays: &Ray4, nearest: &Hits4, which: u32) {
+        for k in Bits(which) {
+            let mut surface = self.surface(rays, k);
+            if let Some(object) = one(&nearest.objects, k) {
+                world.cover::<N>(&mut surface, object);
             }
+            self.cover(k, &surface);
         }
     }
 
