@@ -14,7 +14,7 @@ use core::marker::PhantomData;
 
 use heapless::Vec;
 
-use decision::{Branch, Start, branch, casts_shadow_ray, direct, own, refract};
+use decision::{Branch, Start, branch, casts_shadow_ray, direct, mirrored_sky, refract};
 pub use observer::Observer;
 pub use spectrum::Spectrum;
 
@@ -145,7 +145,7 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Acceler
             light = light.plus(weighted);
             let next = match &surface {
                 Some(surface) if current.branch.depth < self.depth => {
-                    self.spawn(surface, &current, &mut pending, observer)
+                    self.spawn(surface, &current, (&mut pending, &mut light), observer)
                 }
                 _ => None,
             };
@@ -216,8 +216,11 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Acceler
             }
             Seen::Surface(surface) => met.insert(surface),
         };
+        if let Some(hit) = &hit {
+            scene.cover::<N>(surface, hit.object);
+        }
         observer.hit(hit.as_ref(), Some(surface));
-        let mut light = own::<S, M, N>(&self.model, surface, &scene.scene);
+        let mut light = self.model.ambient::<N>(surface, scene.scene.ambient);
         if N::LAMPS && self.model.is_lit::<N>(surface) {
             let lamps = if N::SEVERAL_LAMPS { scene.scene.lamps.len() } else { 1 };
             for (number, lamp) in scene.scene.lamps.iter().take(lamps).enumerate() {
@@ -262,13 +265,14 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Acceler
         self.scene.accelerator().transmittance::<N>(self.scene, &ray, t_max, number, memory)
     }
 
-    /// Spawns the secondary rays of a surface: pushes the transmitted one and returns the reflected one, which is followed next.
+    /// Spawns the secondary rays of a surface: pushes the transmitted one and returns the reflected one, which is followed next. Adds to
+    /// `light` what the reflected one brings where it sees the sky alone.
     #[cfg_attr(not(target_os = "none"), inline(always))]
     fn spawn<O: Observer<S> + ?Sized>(
         &self,
         surface: &Surface<S>,
         parent: &Pending<S, M::Weight>,
-        pending: &mut Stack<S, M::Weight, STACK>,
+        (pending, light): (&mut Stack<S, M::Weight, STACK>, &mut Rgb<S::Light>),
         observer: &mut O,
     ) -> Option<Pending<S, M::Weight>> {
         let start = |direction, leaves: bool| {
@@ -301,6 +305,14 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Acceler
             // There is room: at most one ray waits for each level, and there are no more than STACK.
             let pushed = pending.push(told(transmitted));
             debug_assert!(pushed.is_ok(), "the ray stack is one entry for each level of depth");
+        }
+        if N::SURROUNDINGS && surface.surroundings {
+            if let Some((branch, start)) = reflected {
+                let sky = mirrored_sky::<S, _, N>(&self.scene.scene, branch.weight, start.direction);
+                observer.light(sky);
+                *light = light.plus(sky);
+            }
+            return None;
         }
         reflected.map(told)
     }

@@ -49,7 +49,8 @@ impl<'a, S: Scalar> World<'a, S> {
         if N::FLOOR { self.scene.floor.as_ref().and_then(|floor| floor.intersect(ray)) } else { None }
     }
 
-    /// Returns what is seen along a ray, with its plan if that is a vertical cylinder, whose nearest hit is `hit`.
+    /// Returns what is seen along a ray, with its plan if that is a vertical cylinder, whose nearest hit is `hit`. A surface is not
+    /// [covered](World::cover) yet.
     #[cfg_attr(not(target_os = "none"), inline(always))]
     pub fn seen<N: Needs>(&self, ray: &Ray<S>, hit: Option<Hit<S>>) -> Seen<'a, S> {
         if N::VISIBLE_LAMPS
@@ -79,7 +80,7 @@ impl<'a, S: Scalar> World<'a, S> {
         let face = face.map(|face| if inside { -face } else { face });
         let incoming = ray.direction;
         let material = self.scene.material(number);
-        let mut surface = Surface {
+        Seen::Surface(Surface {
             point,
             normal,
             face,
@@ -91,10 +92,6 @@ impl<'a, S: Scalar> World<'a, S> {
             material,
             surroundings: false,
             number,
-        };
-        if let Some(Hit { object, .. }) = hit {
-            self.cover::<N>(&mut surface, object);
-        }
-        Seen::Surface(surface)
+        })
     }
 }

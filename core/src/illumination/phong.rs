@@ -35,6 +35,8 @@ impl<S: Scalar> Illumination<S> for Phong<S> {
         self.0.is_lit::<N>(surface)
     }
 
+    // By itself it is 5 % more instructions of balls2.nff in f32.
+    #[cfg_attr(not(target_os = "none"), inline(always))]
     fn direct<N: Needs>(&self, surface: &Surface<S>, incident: &Incident<S>) -> Rgb<S::Light> {
         let exponent = |finish: &Finish<S>| finish.reflected;
         let cosine = || incident.direction.dot(surface.incoming.reflect(surface.normal));

@@ -84,7 +84,8 @@ pub fn marble(octaves: u8, amount: i32, place: [i32; 3]) -> u16 {
 /// Returns how wood mixes its colours: rings about the z axis that noise bends by `amount`, in 65536ths.
 pub fn wood(amount: i32, place: [i32; 3]) -> u16 {
     let [x, y, _] = place;
-    let square = (wide(x, x) + wide(y, y)).cast_unsigned();
+    // At most 2^63.
+    let square = wide(x, x).cast_unsigned() + wide(y, y).cast_unsigned();
     // The root is rounded to the nearest; its floor is asked for.
     let nearest = sqrt(square);
     let root = if u64::from(nearest).pow(2) > square { nearest - 1 } else { nearest };
@@ -95,4 +96,33 @@ pub fn wood(amount: i32, place: [i32; 3]) -> u16 {
 /// Returns 0 in the cubes of the first colour, where the sum of the coordinates' floors is even, and 65535 in the others.
 pub fn checker([x, y, z]: [i32; 3]) -> u16 {
     if (x ^ y ^ z) >> 16 & 1 == 0 { 0 } else { u16::MAX }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn patterns_hold_to_the_ends_of_the_lattice() {
+        let ends = [i32::MIN, i32::MIN + 1, -65_537, -1, 0, 1, 65_535, i32::MAX - 1, i32::MAX];
+        for place in ends.iter().flat_map(|&x| ends.map(|y| [x, y, x ^ y])) {
+            assert!(noise(place).abs() < 70_000, "{place:?}");
+            for amount in ends {
+                // Any result is a mixture; none may overflow.
+                let _ = (marble(16, amount, place), wood(amount, place), checker(place));
+            }
+        }
+    }
+
+    #[test]
+    fn noise_has_no_steps_and_is_0_on_the_lattice() {
+        for at in -300_000..300_000 {
+            let place = [at, 3 * at, 77_777];
+            let step = (noise(place) - noise([at + 1, 3 * at, 77_777])).abs();
+            assert!(step <= 8, "a step of {step} at {at}");
+        }
+        for cell in -40..40 {
+            assert_eq!(noise([cell << 16, -cell << 17, cell << 16]), 0);
+        }
+    }
 }

@@ -237,7 +237,7 @@ impl Show {
     fn read_again(&mut self) -> Result<(SceneFile, Request), Error> {
         let Some(watch) = &mut self.watch else { return Ok((self.scene.clone(), self.request.clone())) };
         watch.take();
-        let scene = SceneFile::open(watch.path())?;
+        let scene = SceneFile::open_as(watch.path(), watch.reading())?;
         let mut request = self.request.clone();
         // A size that the scene stated is stated anew.
         let size = request.size.map(|size| [size.width(), size.height()]);

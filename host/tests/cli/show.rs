@@ -12,6 +12,7 @@ use rta::scene::Scene;
 use rta::show::reload::Watch;
 use rta::show::{Command, Show};
 use rta_core::color::Rgb;
+use rta_scenes::Reading;
 
 use super::folder::Folder;
 
@@ -117,7 +118,7 @@ fn a_scene_read_again_states_its_size_anew() {
         )
     };
     folder.scene("scene.nff", nff("64 48"));
-    let watch = Watch::new(&path);
+    let watch = Watch::new(&path, Reading::default());
     let scene = Scene::open(&path).expect("it is well formed");
     let request = ShowArgs::default().tracing.request_for(Target::None, &scene).expect("a size");
     let mut show = Show::new(scene, Some(watch), request, Some(2)).expect("it begins");
@@ -132,6 +133,21 @@ fn a_scene_read_again_states_its_size_anew() {
     assert!(show.visible_note().is_some_and(|note| note.contains("scene.nff")), "{}", show.title());
     assert!(show.is_complete());
     assert_eq!(show.request().raster().expect("a size").0.to_string(), "32x48");
+}
+
+#[test]
+fn a_scene_is_read_again_as_it_was_read() {
+    let folder = Folder::new();
+    let path = folder.path("scene.nff");
+    let nff =
+        "v\nfrom 0 -5 0\nat 0 0 0\nup 0 0 1\nangle 40\nhither 1\nresolution 16 16\nunheard of\ns 0 0 0 1\n";
+    folder.scene("scene.nff", nff);
+    let reading = Reading { lenient: true, ..Reading::default() };
+    let scene = Scene::open_as(&path, reading).expect("an unknown line is passed over");
+    let request = ShowArgs::default().tracing.request_for(Target::None, &scene).expect("a size");
+    let mut show = Show::new(scene, Some(Watch::new(&path, reading)), request, Some(1)).expect("it begins");
+    show.obey(Command::Reload);
+    assert_eq!(show.visible_note(), None);
 }
 
 #[test]

@@ -31,7 +31,7 @@ pub(crate) struct Surfaces4<'a> {
     /// The materials' numbers.
     numbers: [u16; 4],
     /// A bit for each whose mirror ray sees the sky alone.
-    surroundings: u32,
+    pub(crate) surroundings: u32,
 }
 
 impl<'a> Surfaces4<'a> {
@@ -64,7 +64,8 @@ impl<'a> Surfaces4<'a> {
             color: one(&self.colors, k),
             material: one(&self.materials, k),
             number: one(&self.numbers, k),
-            surroundings: self.surroundings >> k & 1 == 1,
+            // Told apart by its bit.
+            surroundings: false,
         }
     }
 
@@ -154,7 +155,6 @@ impl<'a> Surfaces4<'a> {
         *one_mut(&mut self.colors, k) = surface.color;
         *one_mut(&mut self.materials, k) = surface.material;
         *one_mut(&mut self.numbers, k) = surface.number;
-        self.surroundings |= u32::from(surface.surroundings) << k;
     }
 
     /// Finds what four rays see where they meet something, or where not.
@@ -210,9 +210,7 @@ impl<'a> Surfaces4<'a> {
         {
             spots.add_floor((&world.scene, floor), rays, nearest.distance, on_floor);
         }
-        let alone = there & !spots.on;
-        spots.surroundings = 0;
-        for k in Bits(alone) {
+        for k in Bits(there & !spots.on) {
             let object = one(&nearest.objects, k);
             let hit = object.map(|object| Hit { distance: lane(&nearest.distance, k), object });
             match world.seen::<N>(&world.planned::<N>(rays.lane(k), hit.as_ref()), hit) {
@@ -224,14 +222,15 @@ impl<'a> Surfaces4<'a> {
         spots.inside = normal.dot(rays.direction).cmpgt(Vec4::ZERO);
         spots.spot.normal = Vec3x4::select(spots.inside, -normal, normal);
         if N::COATS && !world.scene.coats.is_empty() {
-            spots.cover_all::<N>(world, rays, nearest, spots.on & !alone);
+            spots.cover_all::<N>(world, rays, nearest);
         }
     }
 
-    /// Covers some of the surfaces with their materials' coats.
+    /// Covers the surfaces with their materials' coats.
     #[inline(never)] // scenes without coats do not pay for it
-    fn cover_all<N: Needs>(&mut self, world: &World<'a, f32>, rays: &Ray4, nearest: &Hits4, which: u32) {
-        for k in Bits(which) {
+    fn cover_all<N: Needs>(&mut self, world: &World<'a, f32>, rays: &Ray4, nearest: &Hits4) {
+        self.surroundings = 0;
+        for k in Bits(self.on) {
             let mut surface = self.surface(rays, k);
             if let Some(object) = one(&nearest.objects, k) {
                 world.cover::<N>(&mut surface, object);

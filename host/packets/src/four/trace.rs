@@ -9,7 +9,7 @@ use rta_core::illumination::{Illumination, Passage, Way, Weight};
 use rta_core::light::{Incident, Lamp};
 use rta_core::material::Glass;
 use rta_core::needs::Needs;
-use rta_core::trace::decision::{Branch, Start, branch, casts_shadow_ray, direct, own};
+use rta_core::trace::decision::{Branch, Start, branch, casts_shadow_ray, direct, mirrored_sky};
 use rta_core::trace::{Pending, Stack, Tracer};
 
 use super::geometry::{Ray4, leave, normalize, reflect, refract};
@@ -24,6 +24,9 @@ const NO_GLASS: Glass<f32> = Glass { ks: 0.0, kt: 0.0, eta: 1.0, denser: true };
 
 /// Rays that nobody has asked for.
 const NOWHERE: Ray4 = Ray4 { origin: Vec3x4::ZERO, direction: Vec3x4::ZERO };
+
+/// One ray of each of four trees.
+type Rays4<W> = [Pending<f32, W>; 4];
 
 /// The ray trees of four samples.
 pub(crate) struct Trees4<'a, M: Illumination<f32>, const STACK: usize> {
@@ -64,22 +67,22 @@ impl<'a, M: Illumination<f32>, const STACK: usize> Trees4<'a, M, STACK> {
             are_eyes = false;
             self.surfaces.see::<N>(scene, &rays, &nearest, there);
             let lengths = nearest.distance;
-            let (mut shone, mut lit) = (self.surfaces.lights, 0);
+            let (mut own, mut lit) = (self.surfaces.lights, 0);
             for k in Bits(there & self.surfaces.on) {
                 let surface = self.surfaces.surface(&rays, k);
-                *one_mut(&mut shone, k) = own::<f32, M, N>(model, &surface, &scene.scene);
+                *one_mut(&mut own, k) = model.ambient::<N>(&surface, scene.scene.ambient);
                 lit |= u32::from(model.is_lit::<N>(&surface)) << k;
             }
             if N::LAMPS && lit != 0 {
                 let lamps = if N::SEVERAL_LAMPS { scene.scene.lamps.len() } else { 1 };
                 for (number, lamp) in scene.scene.lamps.iter().take(lamps).enumerate() {
-                    self.add_lamp(tracer, (number, lamp), &rays, lit, &mut shone);
+                    self.add_lamp(tracer, (number, lamp), &rays, lit, &mut own);
                 }
             }
             let mut branching = 0;
             for k in Bits(there) {
                 let pending = one_mut(&mut current, k);
-                let (weight, own) = (pending.branch.weight, one(&shone, k));
+                let (weight, own) = (pending.branch.weight, one(&own, k));
                 let mut arrived = weight.filter(own);
                 if M::ALONG {
                     let met = one(&nearest.objects, k).is_some();
@@ -96,7 +99,7 @@ impl<'a, M: Illumination<f32>, const STACK: usize> Trees4<'a, M, STACK> {
             branching &= self.surfaces.on;
             let mut going_on = 0;
             if N::MIRROR && branching != 0 {
-                going_on = self.spawn(tracer, &rays, branching, &mut current);
+                going_on = self.spawn(tracer, &rays, branching, (&mut current, &mut lights));
             }
             for k in Bits(there & !going_on) {
                 match if N::MIRROR { one_mut(&mut self.pending, k).pop() } else { None } {
@@ -191,16 +194,16 @@ impl<'a, M: Illumination<f32>, const STACK: usize> Trees4<'a, M, STACK> {
     }
 
     /// Spawns the secondary rays of four surfaces, of those in `which`. The reflected ones take the place of their `parents`: a
-    /// bit for each that there is.
+    /// bit for each that there is. What those bring that see the sky alone is added to `lights`.
     #[inline(always)]
     fn spawn<N: Needs>(
         &mut self,
         tracer: &Traced<'a, M, N, STACK>,
         rays: &Ray4,
         which: u32,
-        parents: &mut [Pending<f32, M::Weight>; 4],
+        (parents, lights): (&mut Rays4<M::Weight>, &mut [Rgb<f32>; 4]),
     ) -> u32 {
-        let (_, model, _, cutoff) = tracer.parts();
+        let (scene, model, _, cutoff) = tracer.parts();
         let (incoming, surfaces) = (rays.direction, &self.surfaces);
         let normal = surfaces.spot.normal;
         let (mut refracted, mut total) = (NOWHERE, 0);
@@ -234,10 +237,15 @@ impl<'a, M: Illumination<f32>, const STACK: usize> Trees4<'a, M, STACK> {
                 let pushed = one_mut(&mut self.pending, k).push(Pending { start, branch });
                 debug_assert!(pushed.is_ok(), "the ray stack is one entry for each level of depth");
             }
-            if let Some((branch, start)) = mirrored {
-                *parent = Pending { start, branch };
-                going_on |= 1 << k;
+            let Some((branch, start)) = mirrored else { continue };
+            if N::SURROUNDINGS && surfaces.surroundings >> k & 1 == 1 {
+                let light = one_mut(lights, k);
+                let sky = mirrored_sky::<f32, _, N>(&scene.scene, branch.weight, start.direction);
+                *light = light.plus(sky);
+                continue;
             }
+            *parent = Pending { start, branch };
+            going_on |= 1 << k;
         }
         going_on
     }

@@ -5,6 +5,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::{Instant, SystemTime};
 
+use rta_scenes::Reading;
+
 /// Time between two looks at the file.
 const INTERVAL: Duration = Duration::from_millis(250);
 
@@ -33,6 +35,7 @@ impl Stamp {
 #[derive(Clone, Debug)]
 pub struct Watch {
     path: PathBuf,
+    reading: Reading,
     /// The state that has been read.
     read: Option<Stamp>,
     /// Another state, seen at the last look. It is told of once it is seen twice, since a file may be looked at half-written.
@@ -41,16 +44,22 @@ pub struct Watch {
 }
 
 impl Watch {
-    /// Watches a file that is about to be read.
+    /// Watches a file that is about to be read, and will be read again as `reading` says.
     #[must_use]
-    pub fn new(path: &Path) -> Self {
-        Self { path: path.to_owned(), read: Stamp::of(path), seen: None, looked: Instant::now() }
+    pub fn new(path: &Path, reading: Reading) -> Self {
+        Self { path: path.to_owned(), reading, read: Stamp::of(path), seen: None, looked: Instant::now() }
     }
 
     /// Returns the file's path.
     #[must_use]
     pub fn path(&self) -> &Path {
         &self.path
+    }
+
+    /// Returns how the file is read.
+    #[must_use]
+    pub const fn reading(&self) -> Reading {
+        self.reading
     }
 
     /// Returns whether the file has changed since it was read, and takes it for read then. The file is not looked at more often than
@@ -81,7 +90,7 @@ mod tests {
     use std::fs;
     use std::time::Instant;
 
-    use super::{INTERVAL, Watch};
+    use super::{INTERVAL, Reading, Watch};
 
     /// Whether a change is told of at one of the next three looks, and only once.
     fn is_told(watch: &mut Watch) -> bool {
@@ -99,7 +108,7 @@ mod tests {
         let folder = tempfile::tempdir().expect("a folder");
         let (path, other) = (folder.path().join("scene.dat"), folder.path().join("scene.new"));
         fs::write(&path, "1").expect("written");
-        let mut watch = Watch::new(&path);
+        let mut watch = Watch::new(&path, Reading::default());
         assert!(!is_told(&mut watch));
         fs::write(&path, "1 2").expect("written");
         assert!(is_told(&mut watch), "written anew");
@@ -120,7 +129,7 @@ mod tests {
         let folder = tempfile::tempdir().expect("a folder");
         let path = folder.path().join("scene.dat");
         fs::write(&path, "").expect("written");
-        let mut watch = Watch::new(&path);
+        let mut watch = Watch::new(&path, Reading::default());
         for length in 1..5 {
             fs::write(&path, "x".repeat(length)).expect("written");
             assert!(!watch.has_changed(), "looked at too early");

@@ -53,8 +53,8 @@ const SMALLEST: (usize, usize) = (640, 480);
 pub fn run(args: &ShowArgs) -> Result<(), Error> {
     args.tracing.request(args.device).raster()?;
     let path = args.scene.as_deref();
-    let watch = path.map(Watch::new);
     let reading = args.tracing.reading.into();
+    let watch = path.map(|path| Watch::new(path, reading));
     let scene = path.map_or_else(SceneFile::juggler, |path| SceneFile::open_as(path, reading))?;
     let request = args.tracing.request_for(args.device, &scene)?;
     let (size, aspect) = request.raster()?;
