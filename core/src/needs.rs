@@ -15,12 +15,21 @@
 //! }
 //! ```
 
+/// The needs `N`, for code that is compiled apart from what most surfaces run: a function that is called from there too would not be
+/// inlined here.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Apart<N>(core::marker::PhantomData<fn() -> N>);
+
 /// Declares each need once: its constant, its field and its documentation.
 macro_rules! needs {
     ($($(#[doc = $doc:literal])+ $NAME:ident $field:ident,)+) => {
         /// What a program must be able to draw. Every constant is true unless an implementation says otherwise.
         pub trait Needs: Send + Sync + 'static {
             $($(#[doc = $doc])+ const $NAME: bool = true;)+
+        }
+
+        impl<N: Needs> Needs for Apart<N> {
+            $(const $NAME: bool = N::$NAME;)+
         }
 
         /// The constants of [`Needs`] as values; the crate `rta-scenes` finds those that a scene uses.
@@ -101,6 +110,8 @@ needs! {
     BUMPS bumps,
     /// Coats whose mirror rays see the sky alone.
     SURROUNDINGS surroundings,
+    /// Triangles whose normals are not mixed in space: [`Mesh`](crate::texture::Mesh); they need [`Needs::NORMALS`] and [`Needs::COATS`].
+    MESHES meshes,
     /// A picture of the sky.
     SKY_MAP sky_map,
     /// Pictures of several wavelengths: [`Spectrum`](crate::trace::Spectrum).

@@ -22,6 +22,7 @@ pub use floor::Floor;
 pub use plane::Plane;
 pub use sphere::Sphere;
 pub use triangle::Triangle;
+pub(crate) use triangle::half_sum;
 
 use crate::color::Rgb;
 use crate::needs::Needs;

@@ -4,8 +4,9 @@ use crate::color::Rgb;
 use crate::light::Incident;
 use crate::material::Material;
 use crate::needs::Needs;
-use crate::scalar::vector::{UnitVec3, UnitVector, Vec3};
+use crate::scalar::vector::{LengthVector, UnitVec3, UnitVector, Vec3};
 use crate::scalar::{Scalar, Unit};
+use crate::texture::Mesh;
 
 /// A point of a surface that a ray meets.
 #[derive(Clone, Copy, Debug)]
@@ -31,11 +32,18 @@ pub struct Surface<'a, S: Scalar> {
     pub material: &'a Material<S>,
     /// Whether mirror rays see the sky alone, and no things.
     pub surroundings: bool,
+    /// A triangle that is not shaded by its mixed normals alone.
+    pub mesh: Option<Mesh<'a, S>>,
     /// The number of the material in the scene's list, from 0, by which a model finds its own parameters of it.
     pub number: u16,
 }
 
 impl<S: Scalar> Surface<'_, S> {
+    /// Returns where the ray begins.
+    pub fn origin(&self) -> Vec3<S> {
+        self.point.along(self.incoming, -self.distance)
+    }
+
     /// Returns the unit normal of the flat face, where [`Surface::normal`] is interpolated.
     fn flat<N: Needs>(&self) -> Option<UnitVec3<S>> {
         if N::NORMALS { self.face } else { None }
@@ -46,10 +54,12 @@ impl<S: Scalar> Surface<'_, S> {
         self.flat::<N>().unwrap_or(self.normal)
     }
 
-    /// Returns whether a lamp is behind the surface, or in its plane.
+    /// Returns whether a lamp is behind the surface, or in its plane. Where light is mixed that vertices send back, their normals tell it for
+    /// each of them, and here the flat face alone.
     pub fn is_behind<N: Needs>(&self, incident: &Incident<S>) -> bool {
         let zero = S::Unit::ZERO;
-        incident.cosine <= zero || self.flat::<N>().is_some_and(|face| face.dot(incident.direction) <= zero)
+        let is_dark = incident.cosine <= zero && !(N::MESHES && self.mesh.is_some());
+        is_dark || self.flat::<N>().is_some_and(|face| face.dot(incident.direction) <= zero)
     }
 
     /// Returns the unit direction of a secondary ray: `direction`, or, where it was made from an interpolated normal and leads

@@ -9,16 +9,19 @@
 mod bump;
 mod chart;
 mod image;
+mod mesh;
 pub mod noise;
 mod octahedral;
 
 pub use bump::{Bump, STEEP, tilt};
 pub use chart::{Chart, NO_COORDINATES, ball};
 pub use image::{Axis, Image};
+pub use mesh::{Mesh, Shading, bishop_weimer, gouraud, mixed_normal, on_screen};
 pub use octahedral::fold;
 
 use crate::color::Rgb;
 use crate::needs::Needs;
+use crate::scalar::vector::UnitVec3;
 use crate::scalar::{Scalar, Unit};
 
 /// What covers a material.
@@ -30,11 +33,17 @@ pub struct Coat<S: Scalar> {
     pub bump: Option<Bump<S>>,
     /// Whether mirror rays see the sky alone, and no things (Blinn and Newell 1976).
     pub surroundings: bool,
+    /// How triangles with normals are shaded.
+    pub shading: Shading,
+    /// The unit direction of view, where rays from the eye mix normals or light of vertices on the screen, as a scan line does; without it they
+    /// are mixed in space.
+    pub view: Option<UnitVec3<S>>,
 }
 
 impl<S: Scalar> Coat<S> {
     /// Nothing.
-    pub const PLAIN: Self = Self { texture: None, bump: None, surroundings: false };
+    pub const PLAIN: Self =
+        Self { texture: None, bump: None, surroundings: false, shading: Shading::Normals, view: None };
 }
 
 /// A pattern at its place.

@@ -6,6 +6,7 @@
 //!
 //! Which secondary rays a point spawns, and with which weights, is decided in [`decision`].
 
+mod aspects;
 pub mod decision;
 mod observer;
 mod spectrum;
@@ -14,7 +15,7 @@ use core::marker::PhantomData;
 
 use heapless::Vec;
 
-use decision::{Branch, Start, branch, casts_shadow_ray, direct, mirrored_sky, refract};
+use decision::{Branch, Start, ambient, branch, casts_shadow_ray, direct, mirrored_sky, refract, secondary};
 pub use observer::Observer;
 pub use spectrum::Spectrum;
 
@@ -217,10 +218,10 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Acceler
             Seen::Surface(surface) => met.insert(surface),
         };
         if let Some(hit) = &hit {
-            scene.cover::<N>(surface, hit.object);
+            scene.cover::<N>(surface, hit.object, branch.kind);
         }
         observer.hit(hit.as_ref(), Some(surface));
-        let mut light = self.model.ambient::<N>(surface, scene.scene.ambient);
+        let mut light = ambient::<S, M, N>(&self.model, surface, scene.scene.ambient);
         if N::LAMPS && self.model.is_lit::<N>(surface) {
             let lamps = if N::SEVERAL_LAMPS { scene.scene.lamps.len() } else { 1 };
             for (number, lamp) in scene.scene.lamps.iter().take(lamps).enumerate() {
@@ -290,8 +291,14 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Acceler
         };
         let place = (&parent.branch, self.cutoff);
         let straight = || start(surface.incoming, false);
-        let [transmitted, reflected] =
-            branch::<S, M, N>(&self.model, surface, place, reflected, refracted, straight);
+        let [transmitted, reflected] = branch::<S, M::Weight, N>(
+            secondary::<S, M, N>(&self.model, surface),
+            surface,
+            place,
+            reflected,
+            refracted,
+            straight,
+        );
         if is_total {
             observer.total_reflection();
         }

@@ -91,6 +91,7 @@ impl<'a, S: Scalar> World<'a, S> {
             color,
             material,
             surroundings: false,
+            mesh: None,
             number,
         })
     }

@@ -4,6 +4,8 @@
 //! numbers that make sense (positive radii, ks + kt = 1 and so on); whether they fit a number format is asked
 //! later, when the description becomes a scene of that format.
 
+use rta_core::scene::Object;
+
 use crate::warning::Warning;
 
 mod air;
@@ -15,11 +17,13 @@ mod settings;
 mod texture;
 
 pub use rta_core::light::FallOff;
+pub use rta_core::texture::Shading;
 
 pub use crate::model::Model;
 pub use air::{Air, Attenuation, Fading, Medium};
 pub use camera::{Camera, Optics, Side};
-pub use details::{Detail, Details, LampShape, Shading};
+pub use details::{Detail, Details, LampShape};
+
 pub use dispersion::Dispersion;
 pub use material::{Coefficients, Edge, Kind, Material, Slope};
 pub use settings::{ModelOption, Settings};
@@ -241,6 +245,23 @@ pub struct Sky {
 }
 
 impl Description {
+    /// Returns how a triangle is shaded, by its number from 0: one without normals has nothing to mix.
+    pub(crate) fn shading(&self, number: usize) -> Shading {
+        let has_normals = self.triangles.get(number).is_some_and(|triangle| triangle.normals.is_some());
+        let object = u32::try_from(number).ok().filter(|_| has_normals).map(Object::Triangle);
+        let detail = object.and_then(|object| self.details.objects.get(&object));
+        detail.map_or(Shading::Normals, |detail| detail.shading)
+    }
+
+    /// Shades all triangles with normals in one way.
+    pub fn shade_all(&mut self, shading: Shading) {
+        for (number, triangle) in (0..).zip(&self.triangles) {
+            if triangle.normals.is_some() {
+                self.details.objects.entry(Object::Triangle(number)).or_default().shading = shading;
+            }
+        }
+    }
+
     /// Nothing, in the dark.
     #[must_use]
     pub fn empty(camera: Camera) -> Self {

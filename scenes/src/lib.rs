@@ -47,6 +47,7 @@ pub mod shading;
 pub mod shipped;
 pub mod space;
 pub mod spectrum;
+mod tessellate;
 mod tokens;
 pub mod unused;
 pub mod used;
@@ -98,6 +99,13 @@ pub fn read_with(text: &[u8], file: &str, reading: Reading) -> Result<Descriptio
         if let Some(count) = reading.wavelengths {
             scene.settings.wavelengths = Some(count).filter(|count| *count > 0);
         }
+        if let Some(around) = reading.tessellate {
+            scene.tessellate(around);
+        }
+        if let Some(shading) = reading.shading {
+            scene.shade_all(shading);
+        }
+        scene.details.scanline = reading.scanline;
         scene
     })
 }

@@ -220,7 +220,8 @@ pub fn narrow<S: Narrow>(description: &Description, aspect: f64) -> Result<Narro
     let cones = cones.collect::<Result<Vec<_>, _>>()?;
     let triangles = description.triangles.iter().enumerate().map(|(i, t)| {
         let check = Checker::new("triangle", i, t.line);
-        Ok(Triangle { material: materials.number(&check, &t.surface)?, ..triangle::narrow(i, t)? })
+        let material = materials.shaded(&check, &t.surface, description.shading(i))?;
+        Ok(Triangle { material, ..triangle::narrow(i, t)? })
     });
     let triangles = triangles.collect::<Result<Vec<_>, _>>()?;
     let eye = description.camera.eye;
@@ -243,8 +244,8 @@ pub fn narrow<S: Narrow>(description: &Description, aspect: f64) -> Result<Narro
             })
         }
     };
-    let Materials { first: Table { materials, said }, further, .. } = materials;
-    let (coats, pool) = coats::narrow(description, &said)?;
+    let Materials { first: Table { materials, said }, shadings, further, .. } = materials;
+    let (coats, pool) = coats::narrow(description, &said, &shadings)?;
     let is_several = !further.is_empty();
     let spectrum = is_several.then(|| Spectrum { weights: weights::<S>(count), further });
     Ok(Narrowed {

@@ -1,6 +1,6 @@
 //! What a reader may do with a file that its format leaves open.
 
-use crate::description::Air;
+use crate::description::{Air, Shading};
 
 /// How a scene file is read where its format leaves that open.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -17,4 +17,10 @@ pub struct Reading {
     pub texels: Option<u32>,
     /// The number of wavelengths that takes the place of the scene's: an odd number from 1 to 31, or 0 for red, green and blue.
     pub wavelengths: Option<u32>,
+    /// Spheres and ellipsoids become meshes with twice as many quadrilaterals around the axis and as many from pole to pole.
+    pub tessellate: Option<u32>,
+    /// How all triangles with normals are shaded, whatever the scene says.
+    pub shading: Option<Shading>,
+    /// Whether normals and light of vertices are mixed on the screen, for rays from the eye.
+    pub scanline: bool,
 }

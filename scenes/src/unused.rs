@@ -199,6 +199,7 @@ impl<'a> Answers<'a> {
             color: Rgb::new(r, g, b),
             material,
             surroundings: false,
+            mesh: None,
             number,
         };
         [false, true].into_iter().flat_map(move |inside| VIEWS.map(|angle| (angle, sample(inside, angle))))

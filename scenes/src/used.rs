@@ -4,7 +4,7 @@ use rta_core::material::{Finish, Material};
 use rta_core::needs::{Everything, Needs, Used};
 use rta_core::scalar::{Scalar, Unit};
 use rta_core::scene::Scene;
-use rta_core::texture::Pattern;
+use rta_core::texture::{Pattern, Shading};
 
 /// Returns what a scene uses. `specular` is the illumination model's
 /// [`SPECULAR`](rta_core::illumination::Illumination::SPECULAR).
@@ -40,6 +40,7 @@ pub fn by<S: Scalar>(scene: &Scene<S>, specular: bool) -> Used {
         used.coats = true;
         let is_bumped = coat.bump.is_some();
         (used.bumps, used.normals) = (used.bumps | is_bumped, used.normals | is_bumped);
+        used.meshes |= used.normals && (coat.shading != Shading::Normals || coat.view.is_some());
         used.surroundings |= coat.surroundings && used.mirror;
         let patterns = coat.texture.iter().chain(coat.bump.iter().map(|bump| &bump.texture));
         for texture in patterns {

@@ -74,6 +74,7 @@ fn seen<S: Scalar>(disc: &Disc<S>, ray: &Ray<S>, lamp: &Lamp<S>) -> Option<Rgb<S
         color,
         material: &Material::Opaque, // a scene knows it by its number
         surroundings: false,
+        mesh: None,
         number,
     };
     let incident = Incident::new(lamp, point, normal)?;

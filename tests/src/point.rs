@@ -70,6 +70,7 @@ impl<S: Measure> Point<S> {
             color: self.color,
             material: &self.material,
             surroundings: false,
+            mesh: None,
             number: self.number,
         }
     }

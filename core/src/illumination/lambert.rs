@@ -118,6 +118,7 @@ mod tests {
                 material: &Material::Opaque,
                 number: 0,
                 surroundings: false,
+                mesh: None,
             };
             let mut incident = Incident::new(&lamp, surface.point, surface.normal).expect("it is above");
             incident.cosine = unit(cosine);

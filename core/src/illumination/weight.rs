@@ -11,6 +11,8 @@ pub trait Weight<S: Scalar>: Copy + core::fmt::Debug + Send + Sync {
     fn compose(self, other: Self) -> Self;
     /// Returns the sum of two weights.
     fn join(self, other: Self) -> Self;
+    /// Returns the weight times a number.
+    fn dimmed(self, factor: S::Unit) -> Self;
     /// Returns `light` times the weight.
     fn filter(self, light: Rgb<S::Light>) -> Rgb<S::Light>;
     /// Returns the weight of each register.
@@ -26,6 +28,9 @@ impl<S: Scalar<Unit = U>, U: Unit> Weight<S> for U {
     }
     fn join(self, other: Self) -> Self {
         self + other
+    }
+    fn dimmed(self, factor: U) -> Self {
+        Unit::times(self, factor)
     }
     fn filter(self, light: Rgb<S::Light>) -> Rgb<S::Light> {
         light.map(|l| l.times(self))
@@ -45,6 +50,9 @@ impl<S: Scalar<Unit = U>, U: Unit> Weight<S> for Rgb<U> {
     }
     fn join(self, other: Self) -> Self {
         self.zip(other, |a, b| a + b)
+    }
+    fn dimmed(self, factor: U) -> Self {
+        self.map(|register| register.times(factor))
     }
     fn filter(self, light: Rgb<S::Light>) -> Rgb<S::Light> {
         light.zip(self, Light::times)

@@ -86,6 +86,16 @@ impl<S: Scalar> Triangle<S> {
         is_met.then(|| Meeting { distance, place: (-foot).along(direction, way), areas })
     }
 
+    /// Returns the place in the middle: the mean of the vertices.
+    pub fn middle(&self) -> Vec3<S> {
+        let [corner, second, third] = self.vertices;
+        let third_of = |edge: Vec3<S>| {
+            let part = S::Unit::ratio(1, 3);
+            Vec3::<S>::new(edge.x().scale(part), edge.y().scale(part), edge.z().scale(part))
+        };
+        corner + third_of(second - corner) + third_of(third - corner)
+    }
+
     /// Returns the barycentric coordinates of a place of the triangle: 0 or more each, and 1 in all. They are areas as seen along the axis that is
     /// nearest to the normal.
     pub fn weights(&self, place: Vec3<S>) -> [S::Unit; 3] {
@@ -112,14 +122,20 @@ impl<S: Scalar> Triangle<S> {
 
     /// Returns the vertices' normals, interpolated by barycentric coordinates; `None` where they cancel out.
     fn curved(areas: [S::Wide; 3], normals: [UnitVec3<S>; 3]) -> Option<UnitVec3<S>> {
-        let ([first, second, third], [a, b, c]) = (normals, areas);
+        let [a, b, c] = areas;
         let whole = a + b + c;
         let (b, c) = (S::part(b, whole), S::part(c, whole));
-        let a = S::Unit::ONE - b - c;
-        let half = S::Unit::ratio(1, 2);
-        let mixed = first.scale(a.times(half)).plus(second, b.times(half)).plus(third, c.times(half));
-        mixed.normalize().map(|(normal, _)| normal)
+        half_sum::<S>([S::Unit::ONE - b - c, b, c], normals).normalize().map(|(normal, _)| normal)
     }
+}
+
+/// Returns half of what the normals of three vertices, mixed by their weights, come to: in fixed point, the whole might be longer than 1 by its
+/// rounding.
+#[inline]
+pub(crate) fn half_sum<S: Scalar>(weights: [S::Unit; 3], normals: [UnitVec3<S>; 3]) -> UnitVec3<S> {
+    let half = S::Unit::ratio(1, 2);
+    let ([first, second, third], [a, b, c]) = (normals, weights.map(|weight| weight.times(half)));
+    first.scale(a).plus(second, b).plus(third, c)
 }
 
 /// Returns for each of three feet on a ray twice the signed area of the triangle of the ray and the others, as seen along the

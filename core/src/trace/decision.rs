@@ -2,8 +2,9 @@
 //!
 //! The decisions are apart from the computation of directions, so that a tracer of several rays side by side shares them.
 
+pub use super::aspects::{Aspects, is_lit};
 use crate::color::Rgb;
-use crate::illumination::{Bend, Illumination, Weight};
+use crate::illumination::{Bend, Illumination, Secondary, Weight};
 use crate::light::Incident;
 use crate::material::Glass;
 use crate::needs::Needs;
@@ -35,6 +36,21 @@ impl<W> Branch<W> {
     }
 }
 
+/// Returns the radiance that a surface sends back of the scene's ambient light.
+#[inline]
+pub fn ambient<S: Scalar, M: Illumination<S>, N: Needs>(
+    model: &M,
+    surface: &Surface<S>,
+    ambient: Rgb<S::Light>,
+) -> Rgb<S::Light> {
+    if N::MESHES
+        && let Some(mesh) = &surface.mesh
+    {
+        return Aspects::of::<N>(surface, mesh).ambient::<M, N>(model, ambient);
+    }
+    model.ambient::<N>(surface, ambient)
+}
+
 /// Returns the radiance that a surface sends back of a lamp, before shadows: black where the lamp is behind the surface, unless
 /// the model lights [both sides](Illumination::BOTH_SIDES), or its lamps shine
 /// [into](Illumination::REFRACTS_LAMPS) a material.
@@ -45,11 +61,12 @@ pub fn direct<S: Scalar, M: Illumination<S>, N: Needs>(
     surface: &Surface<S>,
     incident: &Incident<S>,
 ) -> Rgb<S::Light> {
-    let is_asked = M::BOTH_SIDES || (M::REFRACTS_LAMPS && surface.inside);
-    if !is_asked && surface.is_behind::<N>(incident) {
-        return Rgb::BLACK;
+    match &surface.mesh {
+        Some(_) if N::MESHES && !is_lit::<S, M, N>(surface, incident) => Rgb::BLACK,
+        Some(mesh) if N::MESHES => Aspects::of::<N>(surface, mesh).direct::<M, N>(model, incident.lamp),
+        _ if is_lit::<S, M, N>(surface, incident) => model.direct::<N>(surface, incident),
+        _ => Rgb::BLACK,
     }
-    model.direct::<N>(surface, incident)
 }
 
 /// Returns whether a shadow ray is traced to a lamp of which the surface would send back `light`: not where that is black.
@@ -60,21 +77,32 @@ pub fn casts_shadow_ray<N: Needs, L: Light>(light: Rgb<L>) -> bool {
 /// A secondary ray that is to be traced, if there is one.
 type Spawned<S, W> = Option<(Branch<W>, Start<S>)>;
 
-/// Returns the transmitted and the reflected ray that a surface spawns, with the model's weights. A ray whose weight is below
+/// Returns the weights of the secondary rays of a surface.
+#[inline]
+pub fn secondary<S: Scalar, M: Illumination<S>, N: Needs>(
+    model: &M,
+    surface: &Surface<S>,
+) -> Secondary<M::Weight> {
+    match &surface.mesh {
+        Some(mesh) if N::MESHES => Aspects::of::<N>(surface, mesh).secondary::<M, N>(model),
+        _ => model.secondary::<N>(surface),
+    }
+}
+
+/// Returns the transmitted and the reflected ray that a surface spawns, with the weights `secondary`. A ray whose weight is below
 /// `cutoff` is left out. `reflected` computes the start of the reflected ray, `refracted` that of the transmitted ray, or `None`
 /// where there is total internal reflection; then the weights of both are joined in the reflected ray. `straight` computes the start
 /// of a transmitted ray that is not bent.
 #[cfg_attr(not(target_os = "none"), inline(always))]
-pub fn branch<S: Scalar, M: Illumination<S>, N: Needs>(
-    model: &M,
+pub fn branch<S: Scalar, W: Weight<S>, N: Needs>(
+    secondary: Secondary<W>,
     surface: &Surface<S>,
-    (parent, cutoff): (&Branch<M::Weight>, S::Unit),
+    (parent, cutoff): (&Branch<W>, S::Unit),
     reflected: impl FnOnce() -> Start<S>,
     refracted: impl FnOnce(&Glass<S>) -> Option<Start<S>>,
     straight: impl FnOnce() -> Start<S>,
-) -> [Spawned<S, M::Weight>; 2] {
-    let secondary = model.secondary::<N>(surface);
-    let ray = |weight: M::Weight, kind| {
+) -> [Spawned<S, W>; 2] {
+    let ray = |weight: W, kind| {
         let weight = parent.weight.compose(weight);
         (!weight.is_below(cutoff)).then(|| Branch { weight, depth: parent.depth + 1, kind })
     };

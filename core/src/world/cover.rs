@@ -2,31 +2,37 @@
 
 use super::World;
 use crate::needs::Needs;
+use crate::ray::RayKind;
 use crate::scalar::vector::{LengthVector, UnitVec3, UnitVector, Vec3, Vector};
 use crate::scalar::{Scalar, Unit};
 use crate::scene::{Object, index};
 use crate::shape::Triangle;
 use crate::surface::Surface;
-use crate::texture::{Chart, Image, NO_COORDINATES, Pattern, Texture, tilt};
+use crate::texture::{
+    Chart, Coat, Image, Mesh, NO_COORDINATES, Pattern, Shading, Texture, mixed_normal, tilt,
+};
 
-impl<S: Scalar> World<'_, S> {
-    /// Covers a surface of an object with the coat of its material, if it has one.
+impl<'a, S: Scalar> World<'a, S> {
+    /// Covers a surface of an object with the coat of its material, if it has one. `kind` is what the ray is traced for.
     #[inline(always)] // so that a scene without coats pays for one comparison
-    pub fn cover<N: Needs>(&self, surface: &mut Surface<S>, object: Object) {
+    pub fn cover<N: Needs>(&self, surface: &mut Surface<'a, S>, object: Object, kind: RayKind) {
         if N::COATS && !self.scene.coats.is_empty() {
             // A copy, so that the surface need not be in memory in a scene without coats.
             let mut covered = *surface;
-            self.put_on::<N>(&mut covered, object);
+            self.put_on::<N>(&mut covered, object, kind);
             *surface = covered;
         }
     }
 
     /// Covers a surface of an object in a scene that has coats.
     #[inline(never)] // inlined, it keeps other code from being so: 6 % of the instructions of scenes without coats
-    fn put_on<N: Needs>(&self, surface: &mut Surface<S>, object: Object) {
+    fn put_on<N: Needs>(&self, surface: &mut Surface<'a, S>, object: Object, kind: RayKind) {
         let Some(coat) = self.scene.coats.get(usize::from(surface.number)) else { return };
         if N::SURROUNDINGS {
             surface.surroundings = coat.surroundings;
+        }
+        if N::MESHES {
+            self.shade(surface, coat, object, kind);
         }
         let (seen, point, pool) = (*surface, surface.point, self.scene.pool);
         let chart = |texture: &Texture<S>| match &texture.pattern {
@@ -53,6 +59,23 @@ impl<S: Scalar> World<'_, S> {
                 None => bump.gradient::<N>(solid(&bump.texture)),
             };
             bend(surface, gradient);
+        }
+    }
+
+    /// Gives a surface of a triangle with normals the shading that its coat says.
+    fn shade(&self, surface: &mut Surface<'a, S>, coat: &'a Coat<S>, object: Object, kind: RayKind) {
+        let view = coat.view.as_ref().filter(|_| kind == RayKind::Primary);
+        let Object::Triangle(number) = object else { return };
+        let Some(triangle) = self.scene.triangles.get(index(number)) else { return };
+        let Some(normals) = triangle.normals else { return };
+        let mesh = Mesh { triangle, shading: coat.shading, view };
+        if coat.shading != Shading::Normals {
+            surface.mesh = Some(mesh);
+        } else if view.is_some() {
+            let mixed = mixed_normal::<S>(mesh.weights(surface.origin(), surface.point), normals);
+            let mixed = mixed.map(|normal| if surface.inside { -normal } else { normal });
+            let is_seen = |normal: &UnitVec3<S>| normal.dot(surface.incoming) < S::Unit::ZERO;
+            surface.normal = mixed.filter(is_seen).or(surface.face).unwrap_or(surface.normal);
         }
     }
 

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::Args;
 
 use rta_scenes::Reading;
-use rta_scenes::description::Air;
+use rta_scenes::description::{Air, Shading};
 use rta_scenes::pictures::LARGEST_SIDE;
 
 use super::choice;
@@ -35,6 +35,24 @@ pub struct ReadingArgs {
     /// Wavelengths that glass is seen in, an odd number from 1 to 31; 0 for red, green and blue [default: the scene's]
     #[arg(long, value_name = "N", value_parser = wavelengths)]
     pub spectral: Option<u32>,
+    /// Cut spheres and ellipsoids into meshes of 2 N x N quadrilaterals with normals, N from 2 to 64
+    #[arg(long, value_name = "N", value_parser = choice::whole(2..=64_u32))]
+    pub tessellate: Option<u32>,
+    /// How all triangles with normals are shaded: normals, gouraud or bishop-weimer [default: the scene's]
+    #[arg(long, value_name = "WAY", value_parser = shading, ignore_case = true)]
+    pub shading: Option<Shading>,
+    /// Mix normals and light of vertices on the screen, as scan-line programs do, for rays from the eye
+    #[arg(long)]
+    pub scanline: bool,
+}
+
+/// The ways of shading by name.
+const SHADINGS: [(&str, Shading); 3] =
+    [("normals", Shading::Normals), ("gouraud", Shading::Gouraud), ("bishop-weimer", Shading::BishopWeimer)];
+
+fn shading(text: &str) -> Result<Shading, String> {
+    let known = SHADINGS.into_iter().find(|(name, _)| name.eq_ignore_ascii_case(text));
+    known.map(|(_, shading)| shading).ok_or_else(|| "expected normals, gouraud or bishop-weimer".into())
 }
 
 fn wavelengths(text: &str) -> Result<u32, String> {
@@ -43,8 +61,9 @@ fn wavelengths(text: &str) -> Result<u32, String> {
 }
 
 impl From<ReadingArgs> for Reading {
-    fn from(ReadingArgs { lenient, one_sided, air, texels, spectral }: ReadingArgs) -> Self {
-        Self { lenient, one_sided, air, texels, wavelengths: spectral }
+    fn from(args: ReadingArgs) -> Self {
+        let ReadingArgs { lenient, one_sided, air, texels, spectral, tessellate, shading, scanline } = args;
+        Self { lenient, one_sided, air, texels, wavelengths: spectral, tessellate, shading, scanline }
     }
 }
 

@@ -15,6 +15,7 @@ use crate::picture::output::{Inputs, print};
 mod albedo;
 mod frame;
 mod functions;
+mod mesh;
 mod notation;
 mod spectrum;
 mod texture;
@@ -47,7 +48,7 @@ impl Comparison {
 
 /// Returns all functions, as they are computed in the format `S`.
 fn all<S: Narrow>() -> Vec<Function> {
-    [functions::all::<S>(), texture::all::<S>()].concat()
+    [functions::all::<S>(), texture::all::<S>(), mesh::all::<S>()].concat()
 }
 
 /// Returns the names of all functions.

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use rta_core::scene::Object;
+use rta_core::texture::Shading;
 
 use super::Pixels;
 
@@ -18,6 +19,8 @@ pub struct Details {
     pub tile: Option<f64>,
     /// File with a picture of the sky, beside that of the scene.
     pub sky_map: Option<String>,
+    /// Whether triangles with normals are mixed on the screen, for rays from the eye.
+    pub scanline: bool,
     /// The pictures that the scene names, by the names of their files, as far as they were [loaded](super::Description::load_pictures).
     pub pictures: BTreeMap<String, Arc<Pixels>>,
 }
@@ -40,19 +43,10 @@ pub enum LampShape {
 /// What an object may have beside what all of its kind have.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Detail {
-    /// How a triangle is shaded.
-    pub shading: Option<Shading>,
+    /// How a triangle with normals is shaded.
+    pub shading: Shading,
     /// How far it moves while the shutter is open once.
     pub moves: Option<[f64; 3]>,
     /// Texture coordinates u and v of the vertices of a triangle.
     pub uv: Option<[[f64; 2]; 3]>,
-}
-
-/// How a triangle with normals is shaded, where not by mixing them.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Shading {
-    /// The light of the vertices is mixed (Gouraud 1971).
-    Gouraud,
-    /// The cosines are mixed to the second order (Bishop, Weimer 1986).
-    BishopWeimer,
 }

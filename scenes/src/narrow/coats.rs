@@ -7,7 +7,7 @@ use rta_core::texture::{self, Bump, Coat, Image, NO_COORDINATES, STEEP, Texture}
 
 use super::check::Checker;
 use super::{Narrow, NarrowError};
-use crate::description::{self, Axis, Description, Pattern, Pixels};
+use crate::description::{self, Axis, Description, Pattern, Pixels, Shading};
 use crate::space::unit;
 
 /// Units of a texture in one of the scene have so many bits behind the point.
@@ -18,18 +18,21 @@ const MOST_REPEATS: f64 = 1000.0;
 /// Coats, in the order of the materials' numbers, and words.
 type Coats<S> = (Vec<Coat<S>>, Vec<u32>);
 
-/// Returns the coats of the materials of which the scene says `said`; none where none is covered.
+/// Returns the coats of the materials of which the scene says `said`, and whose triangles have the `shadings`; none where none is covered.
 ///
 /// # Errors
 /// A texture that the format cannot hold.
 pub(super) fn narrow<S: Narrow>(
     description: &Description,
     said: &[description::Material],
+    shadings: &[Shading],
 ) -> Result<Coats<S>, NarrowError> {
     let mut pool = Pool { description, words: Vec::new(), files: HashMap::new(), coordinates: None };
     let mut coats = Vec::new();
-    for (number, own) in said.iter().enumerate() {
-        let coat = pool.coat(own)?;
+    let forward = description.camera.direction().filter(|_| description.details.scanline);
+    let view = forward.map(super::triangle::direction::<S>);
+    for (number, (own, &shading)) in said.iter().zip(shadings).enumerate() {
+        let coat = Coat { shading, view, ..pool.coat(own)? };
         if coat != Coat::PLAIN {
             coats.resize(number, Coat::PLAIN);
             coats.push(coat);
@@ -89,7 +92,7 @@ impl<'a> Pool<'a> {
             let steep = check.at_most("the slope of its edges", steep, S::largest() / 4.0)?;
             bump = Some(Bump { texture: self.texture(said)?, height: S::length(steep) });
         }
-        Ok(Coat { texture, bump, surroundings: own.surroundings })
+        Ok(Coat { texture, bump, surroundings: own.surroundings, ..Coat::PLAIN })
     }
 
     /// Returns the place of a texture in the scene's list.

@@ -9,14 +9,16 @@ use rta_core::scene::PLAIN;
 use super::check::{Checker, exponent};
 use super::spectrum::Table;
 use super::{Narrow, NarrowError};
-use crate::description::{self, Coefficients, Kind, Surface};
+use crate::description::{self, Coefficients, Kind, Shading, Surface};
 
 /// The materials that were met so far, in the order of their numbers.
 pub(super) struct Materials<'a, S: Narrow> {
     named: &'a [description::Material],
-    numbers: HashMap<[u64; 6], u16>,
+    numbers: HashMap<([u64; 6], Shading), u16>,
     /// Wavelengths in nanometres; none where materials have the index that they state.
     wavelengths: Vec<f64>,
+    /// How triangles of each are shaded.
+    pub(super) shadings: Vec<Shading>,
     /// The materials at the first wavelength.
     pub(super) first: Table<S>,
     /// The materials at each further wavelength.
@@ -28,12 +30,29 @@ impl<'a, S: Narrow> Materials<'a, S> {
     /// index that they state.
     pub(super) fn new(named: &'a [description::Material], wavelengths: Vec<f64>) -> Self {
         let further = wavelengths.iter().skip(1).map(|_| Table::EMPTY).collect();
-        Self { named, numbers: HashMap::new(), wavelengths, first: Table::EMPTY, further }
+        Self {
+            named,
+            numbers: HashMap::new(),
+            wavelengths,
+            shadings: Vec::new(),
+            first: Table::EMPTY,
+            further,
+        }
     }
 
     /// Returns the number of a surface's material; `check` names the object that has it.
     pub(super) fn number(&mut self, check: &Checker<S>, surface: &Surface) -> Result<u16, NarrowError> {
-        let key = key(surface);
+        self.shaded(check, surface, Shading::Normals)
+    }
+
+    /// Returns the number of a triangle's material, shaded in that way; `check` names the triangle.
+    pub(super) fn shaded(
+        &mut self,
+        check: &Checker<S>,
+        surface: &Surface,
+        shading: Shading,
+    ) -> Result<u16, NarrowError> {
+        let key = (key(surface), shading);
         if let Some(&number) = self.numbers.get(&key) {
             return Ok(number);
         }
@@ -48,6 +67,7 @@ impl<'a, S: Narrow> Materials<'a, S> {
             table.materials.push(narrow(check, &said)?);
             table.said.push(said);
         }
+        self.shadings.push(shading);
         self.numbers.insert(key, number);
         Ok(number)
     }

@@ -103,7 +103,7 @@ impl Description {
                 _ => return false,
             };
             if !matches!(object, Object::Triangle(_)) {
-                (detail.shading, detail.uv) = (None, None);
+                (detail.shading, detail.uv) = Default::default();
             }
             usize::try_from(number).is_ok_and(|number| number < most) && *detail != Default::default()
         });

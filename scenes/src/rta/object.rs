@@ -75,16 +75,13 @@ impl<'a> Reader<'a> {
     /// Keeps what an object has beside what all of its kind have.
     fn detail(&mut self, said: &Said<'a>, object: Object, uv: Option<[[f64; 2]; 3]>) {
         let shading = match (said.has("gouraud"), said.has("bishop-weimer")) {
-            (true, _) => Some(Shading::Gouraud),
-            (_, true) => Some(Shading::BishopWeimer),
-            _ => None,
+            (true, _) => Shading::Gouraud,
+            (_, true) => Shading::BishopWeimer,
+            _ => Shading::Normals,
         };
         let detail = Detail { shading, moves: said.triple("moves"), uv };
         if detail.moves.is_some() {
             self.undrawn("motion", said.place.0);
-        }
-        if detail.shading.is_some() {
-            self.undrawn("other shading of triangles than by mixed normals", said.place.0);
         }
         if detail != Detail::default() {
             self.scene.details.objects.insert(object, detail);

@@ -204,10 +204,8 @@ impl Description {
         self.write_material(surface, &mut words);
         if let Some(Detail { shading, moves, uv }) = self.details.objects.get(&object) {
             words.maybe(*uv, |words, uv| words.numbers("uv", uv.as_flattened()));
-            words.maybe(*shading, |words, shading| match shading {
-                Shading::Gouraud => words.word("gouraud"),
-                Shading::BishopWeimer => words.word("bishop-weimer"),
-            });
+            words.flag("gouraud", *shading == Shading::Gouraud);
+            words.flag("bishop-weimer", *shading == Shading::BishopWeimer);
             words.maybe(*moves, |words, moves| words.vector("moves", moves));
         }
         words.end(text);

@@ -214,7 +214,7 @@ fn details() -> impl Strategy<Value = Details> {
         3 => Object::Plane(number),
         _ => Object::Triangle(number),
     });
-    let shading = maybe(prop_oneof![Just(Shading::Gouraud), Just(Shading::BishopWeimer)]);
+    let shading = prop_oneof![Just(Shading::Normals), Just(Shading::Gouraud), Just(Shading::BishopWeimer)];
     let uv = maybe(prop::array::uniform3([0.0..=1.0, 0.0..=1.0_f64]));
     let detail = (shading, maybe(place()), uv).prop_map(|(shading, moves, uv)| Detail { shading, moves, uv });
     (prop::collection::btree_map(object, detail, 0..5), maybe(positive()), maybe("[a-zA-Z #/.é]{0,9}"))

@@ -26,6 +26,7 @@ mod golden;
 mod identities;
 mod invariance;
 mod medium;
+mod mesh;
 mod models;
 mod needs;
 mod numbers;

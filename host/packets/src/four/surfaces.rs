@@ -2,10 +2,14 @@
 
 use glam::{BVec4A, Vec3, Vec4};
 use rta_core::color::Rgb;
+use rta_core::illumination::{Illumination, Secondary};
 use rta_core::material::Material;
 use rta_core::needs::Needs;
+use rta_core::ray::RayKind;
 use rta_core::scene::{Floor, Hit, Object, PLAIN, Scene};
 use rta_core::surface::Surface;
+use rta_core::texture::Mesh;
+use rta_core::trace::decision::Aspects;
 use rta_core::world::{Seen, World};
 
 use super::closest::Hits4;
@@ -32,6 +36,9 @@ pub(crate) struct Surfaces4<'a> {
     numbers: [u16; 4],
     /// A bit for each whose mirror ray sees the sky alone.
     pub(crate) surroundings: u32,
+    /// A bit for each that is a triangle not shaded by its mixed normals alone, and these triangles.
+    pub(crate) meshed: u32,
+    meshes: [Option<Mesh<'a, f32>>; 4],
 }
 
 impl<'a> Surfaces4<'a> {
@@ -48,6 +55,8 @@ impl<'a> Surfaces4<'a> {
         materials: [&Material::Opaque; 4],
         numbers: [PLAIN; 4],
         surroundings: 0,
+        meshed: 0,
+        meshes: [None; 4],
     };
 
     /// The surface that ray `k` sees.
@@ -66,7 +75,27 @@ impl<'a> Surfaces4<'a> {
             number: one(&self.numbers, k),
             // Told apart by its bit.
             surroundings: false,
+            // Asked for apart.
+            mesh: None,
         }
+    }
+
+    /// What stands for the surface that ray `k` sees, a triangle not shaded by its mixed normals alone.
+    #[inline(never)] // scenes without meshes do not pay for it
+    pub(crate) fn aspects<N: Needs>(&self, rays: &Ray4, k: usize) -> Option<Aspects<'a, f32>> {
+        let mesh = one(&self.meshes, k)?;
+        Some(Aspects::of::<N>(&self.surface(rays, k), &mesh))
+    }
+
+    /// Returns the weights of the secondary rays of such a surface.
+    #[inline(never)]
+    pub(crate) fn mesh_secondary<M: Illumination<f32>, N: Needs>(
+        &self,
+        model: &M,
+        rays: &Ray4,
+        k: usize,
+    ) -> Secondary<M::Weight> {
+        self.aspects::<N>(rays, k).map_or(Secondary::NONE, |aspects| aspects.secondary::<M, N>(model))
     }
 
     /// Returns the unit normals of the surfaces themselves: four times [`Surface::side`].
@@ -82,7 +111,10 @@ impl<'a> Surfaces4<'a> {
     /// Returns which of four lamps are behind the surfaces: four times [`Surface::is_behind`].
     #[inline(always)]
     pub(crate) fn are_behind<N: Needs>(&self, direction: Vec3x4, cosine: Vec4) -> BVec4A {
-        let behind = cosine.cmple(Vec4::ZERO);
+        let mut behind = cosine.cmple(Vec4::ZERO);
+        if N::MESHES && self.meshed != 0 {
+            behind &= !mask(self.meshed);
+        }
         if N::NORMALS && self.curved != 0 {
             behind | mask(self.curved) & self.faces.dot(direction).cmple(Vec4::ZERO)
         } else {
@@ -157,9 +189,15 @@ impl<'a> Surfaces4<'a> {
         *one_mut(&mut self.numbers, k) = surface.number;
     }
 
-    /// Finds what four rays see where they meet something, or where not.
+    /// Finds what four rays see where they meet something, or where not. They come from the eye if `are_eyes`.
     #[inline(always)]
-    pub(crate) fn see<N: Needs>(&mut self, world: &World<'a, f32>, rays: &Ray4, nearest: &Hits4, there: u32) {
+    pub(crate) fn see<N: Needs>(
+        &mut self,
+        world: &World<'a, f32>,
+        rays: &Ray4,
+        nearest: &Hits4,
+        (there, are_eyes): (u32, bool),
+    ) {
         let spots = self;
         let (mut on_spheres, mut on_triangles, mut on_floor) = (0, 0, 0);
         let near = nearest.distance.cmple(Vec4::splat(world.limits.floor_end)).bitmask();
@@ -222,18 +260,19 @@ impl<'a> Surfaces4<'a> {
         spots.inside = normal.dot(rays.direction).cmpgt(Vec4::ZERO);
         spots.spot.normal = Vec3x4::select(spots.inside, -normal, normal);
         if N::COATS && !world.scene.coats.is_empty() {
-            spots.cover_all::<N>(world, rays, nearest);
+            spots.cover_all::<N>(world, rays, nearest, are_eyes);
         }
     }
 
     /// Covers the surfaces with their materials' coats.
     #[inline(never)] // scenes without coats do not pay for it
-    fn cover_all<N: Needs>(&mut self, world: &World<'a, f32>, rays: &Ray4, nearest: &Hits4) {
-        self.surroundings = 0;
+    fn cover_all<N: Needs>(&mut self, world: &World<'a, f32>, rays: &Ray4, nearest: &Hits4, are_eyes: bool) {
+        let kind = if are_eyes { RayKind::Primary } else { RayKind::Reflected };
+        (self.surroundings, self.meshed) = (0, 0);
         for k in Bits(self.on) {
             let mut surface = self.surface(rays, k);
             if let Some(object) = one(&nearest.objects, k) {
-                world.cover::<N>(&mut surface, object);
+                world.cover::<N>(&mut surface, object, kind);
             }
             self.cover(k, &surface);
         }
@@ -241,6 +280,8 @@ impl<'a> Surfaces4<'a> {
 
     /// Surface `k` has been covered.
     fn cover(&mut self, k: usize, surface: &Surface<'a, f32>) {
+        self.meshed |= u32::from(surface.mesh.is_some()) << k;
+        *one_mut(&mut self.meshes, k) = surface.mesh;
         *one_mut(&mut self.colors, k) = surface.color;
         self.spot.normal.set(k, surface.normal);
         if let Some(face) = surface.face {

@@ -232,6 +232,7 @@ fn rays_that_leave() {
                 color: GREY,
                 material: &Material::Opaque,
                 surroundings: false,
+                mesh: None,
                 number: PLAIN,
             };
             let right = decision::refract(&surface, &glasses[k]);

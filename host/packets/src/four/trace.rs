@@ -64,14 +64,17 @@ impl<'a, M: Illumination<f32>, const STACK: usize> Trees4<'a, M, STACK> {
         let (mut there, mut are_eyes) = ((1u32 << count) - 1, true);
         loop {
             let nearest = packets.closest_four::<N>(scene, &rays, (there, are_eyes), &mut self.cache);
+            self.surfaces.see::<N>(scene, &rays, &nearest, (there, are_eyes));
             are_eyes = false;
-            self.surfaces.see::<N>(scene, &rays, &nearest, there);
             let lengths = nearest.distance;
             let (mut own, mut lit) = (self.surfaces.lights, 0);
             for k in Bits(there & self.surfaces.on) {
                 let surface = self.surfaces.surface(&rays, k);
                 *one_mut(&mut own, k) = model.ambient::<N>(&surface, scene.scene.ambient);
                 lit |= u32::from(model.is_lit::<N>(&surface)) << k;
+            }
+            if N::MESHES && self.surfaces.meshed & there != 0 {
+                self.mesh_ambient::<N>(tracer, &rays, there, &mut own);
             }
             if N::LAMPS && lit != 0 {
                 let lamps = if N::SEVERAL_LAMPS { scene.scene.lamps.len() } else { 1 };
@@ -152,6 +155,8 @@ impl<'a, M: Illumination<f32>, const STACK: usize> Trees4<'a, M, STACK> {
         let cosine = spot.normal.dot(direction);
         let behind = self.surfaces.are_behind::<N>(direction, cosine);
         let mut lit = lit & !none;
+        let meshes = if N::MESHES { lit & self.surfaces.meshed } else { 0 };
+        lit &= !meshes;
         if !M::BOTH_SIDES && !M::REFRACTS_LAMPS {
             // Darkness, as `direct` would say.
             lit &= !behind.bitmask();
@@ -175,6 +180,10 @@ impl<'a, M: Illumination<f32>, const STACK: usize> Trees4<'a, M, STACK> {
                 *own = own.plus(light);
             }
         }
+        if N::MESHES && meshes != 0 {
+            let lights = (&mut unhidden, &mut *lights);
+            shadowed |= self.mesh_direct::<N>(tracer, lamp, rays, (meshes, behind.bitmask()), lights);
+        }
         if shadowed != 0 {
             let side = self.surfaces.sides::<N>();
             let side = Vec3x4::select(behind, -side, side);
@@ -191,6 +200,55 @@ impl<'a, M: Illumination<f32>, const STACK: usize> Trees4<'a, M, STACK> {
                 }
             }
         }
+    }
+
+    /// Replaces the ambient light of those that are meshes, of those in `which`.
+    #[inline(never)] // scenes without meshes do not pay for it
+    fn mesh_ambient<N: Needs>(
+        &self,
+        tracer: &Traced<'a, M, N, STACK>,
+        rays: &Ray4,
+        which: u32,
+        lights: &mut [Rgb<f32>; 4],
+    ) {
+        let (scene, model, ..) = tracer.parts();
+        for k in Bits(which & self.surfaces.meshed) {
+            if let Some(aspects) = self.surfaces.aspects::<N>(rays, k) {
+                *one_mut(lights, k) = aspects.ambient::<M, N>(model, scene.scene.ambient);
+            }
+        }
+    }
+
+    /// Computes what meshes send back of a lamp, of those in `meshes`, and returns which of them cast a shadow ray. The lamp is behind those
+    /// in `behind`.
+    #[inline(never)]
+    fn mesh_direct<N: Needs>(
+        &self,
+        tracer: &Traced<'a, M, N, STACK>,
+        lamp: &Lamp<f32>,
+        rays: &Ray4,
+        (meshes, behind): (u32, u32),
+        (unhidden, lights): (&mut [Rgb<f32>; 4], &mut [Rgb<f32>; 4]),
+    ) -> u32 {
+        let (_, model, ..) = tracer.parts();
+        let mut shadowed = 0;
+        for k in Bits(meshes) {
+            let is_asked = M::BOTH_SIDES || (M::REFRACTS_LAMPS && self.surfaces.inside.test(k & 3));
+            if behind >> k & 1 == 1 && !is_asked {
+                continue;
+            }
+            if let Some(aspects) = self.surfaces.aspects::<N>(rays, k) {
+                let light = aspects.direct::<M, N>(model, lamp);
+                if casts_shadow_ray::<N, _>(light) {
+                    *one_mut(unhidden, k) = light;
+                    shadowed |= 1 << k;
+                } else {
+                    let own = one_mut(lights, k);
+                    *own = own.plus(light);
+                }
+            }
+        }
+        shadowed
     }
 
     /// Spawns the secondary rays of four surfaces, of those in `which`. The reflected ones take the place of their `parents`: a
@@ -217,9 +275,15 @@ impl<'a, M: Illumination<f32>, const STACK: usize> Trees4<'a, M, STACK> {
         let mut going_on = 0;
         for k in Bits(which) {
             let parent = one_mut(parents, k);
-            let [transmitted, mirrored] = branch::<f32, M, N>(
-                model,
-                &surfaces.surface(rays, k),
+            let surface = surfaces.surface(rays, k);
+            let secondary = if N::MESHES && surfaces.meshed >> k & 1 == 1 {
+                surfaces.mesh_secondary::<M, N>(model, rays, k)
+            } else {
+                model.secondary::<N>(&surface)
+            };
+            let [transmitted, mirrored] = branch::<f32, M::Weight, N>(
+                secondary,
+                &surface,
                 (&parent.branch, cutoff),
                 || {
                     if !core::mem::replace(&mut is_reflected, true) {

@@ -88,6 +88,7 @@ impl<S: Narrow> Lit<S> {
             color: Rgb::new(one, one, one),
             material: &self.material,
             surroundings: false,
+            mesh: None,
             number: PLAIN,
         };
         let lamp = Lamp::white(zero, S::ZERO, 1);

@@ -56,7 +56,7 @@ const fn second<T: Copy>([_, second]: [T; 2]) -> T {
     second
 }
 
-fn direction<S: Narrow>(direction: [f64; 3]) -> UnitVec3<S> {
+pub(super) fn direction<S: Narrow>(direction: [f64; 3]) -> UnitVec3<S> {
     let [x, y, z] = direction.map(S::unit);
     UnitVec3::<S>::new(x, y, z)
 }

@@ -31,9 +31,9 @@ const MOVES: Part = may(
 );
 const INSIDE: Part = may("inside", &[], "it is seen from the inside only");
 const ONE_SIDED: Part = may("one-sided", &[], "it is seen only from where its corners run counterclockwise");
-const GOURAUD: Part = either(9, "gouraud", &[], "the light of its corners is mixed; kept, not drawn yet");
+const GOURAUD: Part = either(9, "gouraud", &[], "with normals: the light of its corners is mixed");
 const BISHOP: Part =
-    either(9, "bishop-weimer", &[], "cosines are mixed to the second order; kept, not drawn yet");
+    either(9, "bishop-weimer", &[], "with normals: cosines are expanded to the second order");
 const SHARE: Part = may("share", &[V("share", Share)], "their part of all facets").default("1");
 
 const fn object(keyword: &'static str, about: &'static str, parts: &'static [Part]) -> Statement {

@@ -33,6 +33,7 @@ fn refracted<S: Measure>(degrees: f64, ior: f64, inside: bool) -> Option<[f64; 3
         color: color::<S>(WHITE),
         material: &Material::Transparent(glass),
         surroundings: false,
+        mesh: None,
         number: 0,
     };
     refract(&surface, &glass).map(read_direction::<S>)

@@ -30,6 +30,7 @@ pub(super) fn check<S: Measure>(
         color: Rgb::new(half, half, half),
         material: &material,
         surroundings: false,
+        mesh: None,
         number: 0,
     };
     let sine = |v: UnitVec3<S>| {

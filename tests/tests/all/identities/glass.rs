@@ -27,7 +27,7 @@ fn weights<S: Measure>(point: &Point<S>, rows: &[HallGreenbergRow<S>]) -> [Optio
     let ray = |direction| Start { origin: surface.point, direction };
     let eye = Branch::eye::<S>();
     let [transmitted, reflected] = branch::<S, _, Everything>(
-        &model,
+        model.secondary::<Everything>(&surface),
         &surface,
         (&eye, S::Unit::ZERO),
         || ray(surface.incoming),
