@@ -13,5 +13,18 @@ pub const GLASS_2: &str = include_str!("../glass-2.dat");
 pub const ALL: [(&str, &str); 3] =
     [("juggler.dat", JUGGLER), ("hall-22.dat", HALL_22), ("glass-2.dat", GLASS_2)];
 
+/// The page about the scene language, with a scene for each keyword.
+pub const PAGE: &str = include_str!("../README.md");
+
+/// The picture files that scenes of the page name: names and contents, PNG.
+pub const PICTURES: [(&str, &[u8]); 2] =
+    [("evening.png", include_bytes!("../evening.png")), ("globe.png", include_bytes!("../globe.png"))];
+
+/// A prism in front of a slit, in many wavelengths.
+pub const PRISM: &str = include_str!("../prism.rta");
+
+/// One vase four times: flat, and as Gouraud, Phong, and Bishop and Weimer shaded it.
+pub const MESH: &str = include_str!("../mesh.rta");
+
 /// Spheres on a plane, `balls` of the second size of Eric Haines's Standard Procedural Databases (1987), in NFF.
 pub const BALLS_2: &str = include_str!("../balls2.nff");

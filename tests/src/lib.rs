@@ -1,5 +1,5 @@
 //! Tools of the tests that span several crates: independent renderers ([`oracle`]), generated scenes
-//! ([`random_scenes`]), golden pictures ([`golden`]), the scenes of a page ([`scene_page`]), comparison of pictures ([`picture`],
+//! ([`random_scenes`]), golden pictures ([`golden`]), comparison of pictures ([`picture`],
 //! [`agreement`], [`exact`]), points of surfaces as a model is asked about them ([`point`]), and the boards under emulation ([`boards`]).
 
 pub mod agreement;
@@ -13,7 +13,6 @@ pub mod oracle;
 pub mod picture;
 pub mod point;
 pub mod random_scenes;
-pub mod scene_page;
 
 /// The code of the README, compiled and run.
 #[cfg(doctest)]

@@ -31,7 +31,7 @@ const ELSEWHERE: [(&str, &str, &str); 9] = [
         "--table uniform chooses the colour table",
         "palette colors colours colormap colortable color-table",
     ),
-    ("model", "--model phong chooses the illumination", "shader shading lighting illumination"),
+    ("model", "--model phong chooses the illumination", "shader lighting illumination"),
     ("format", "--format q16 chooses the number format", "precision number-format fixed fixed-point"),
 ];
 

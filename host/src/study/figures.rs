@@ -6,6 +6,7 @@
 //! | the points of the curves | `curves` |
 //! | the pictures | `pictures` |
 //! | a diagram of curves | `chart` |
+//! | the scenes of the page about the scene language | `keywords` |
 //! | the page | `page` |
 
 use core::sync::atomic::AtomicBool;
@@ -24,13 +25,17 @@ use crate::study::plot;
 
 pub mod chart;
 mod curves;
+pub mod keywords;
 pub mod list;
+pub mod meshes;
 mod page;
 mod pictures;
 #[cfg(test)]
 mod tests;
 
 use chart::Chart;
+use keywords::examples;
+use rta_scenes::shipped;
 
 /// A figure of the book.
 #[derive(Clone, Copy, Debug)]
@@ -106,19 +111,40 @@ pub fn run(args: &FiguresArgs) -> Result<(), StudyError> {
     let files = list::ALL.iter().map(|figure| Files::open(&args.output, figure));
     let files = files.collect::<Result<Vec<_>, _>>()?;
     let page = Output::open(&args.output.join("index.html"), Inputs::NONE)?;
+    // The pictures of textures stand beside the scenes' own, where the page's scenes look for them.
+    let folder = args.output.join("keywords");
+    output::make_folder(&folder)?;
+    for (name, bytes) in shipped::PICTURES {
+        Output::open(&folder.join(name), Inputs::NONE)?.write(bytes)?;
+    }
+    let examples = examples(shipped::PAGE);
+    let open = |name: &str| Output::open(&folder.join(format!("{name}.png")), Inputs::NONE);
+    let keywords = examples.iter().map(|example| open(&example.name)).collect::<Result<Vec<_>, _>>()?;
     let (pool, stop) = (bands::pool(None)?, interrupt::watch());
     let tracing = Tracing { pool: &pool, stop };
-    let mut progress = Progress::new(u32::try_from(list::ALL.len()).unwrap_or(u32::MAX));
+    let count = list::ALL.len() + examples.len();
+    let mut progress = Progress::new(u32::try_from(count).unwrap_or(u32::MAX));
     let drawn = (1..).zip(list::ALL).map(|(done, figure)| {
         let drawn = figure.draw(&tracing)?;
         progress.reached(done);
         Ok(drawn)
     });
     let drawn = drawn.collect::<Result<Vec<_>, StudyError>>()?;
+    let shown = (1..).zip(&examples).map(|(done, example)| {
+        let shown = example.picture(&folder, &tracing)?;
+        progress.reached(u32::try_from(list::ALL.len()).unwrap_or(u32::MAX).saturating_add(done));
+        Ok(shown)
+    });
+    let shown = shown.collect::<Result<Vec<_>, StudyError>>()?;
     for ((figure, drawn), files) in list::ALL.iter().zip(&drawn).zip(files) {
         files.write(figure, drawn)?;
     }
-    Ok(page.write(page::html(list::ALL).as_bytes())?)
+    for ((example, shown), file) in examples.iter().zip(&shown).zip(keywords) {
+        let settings = "format q16, 256 colours".to_owned();
+        let caption = Caption { title: example.name.clone(), settings };
+        file.fill(|out| shown.write_png(&caption, out).map_err(Failure::<StudyError>::Write))?;
+    }
+    Ok(page.write(page::html(list::ALL, &examples).as_bytes())?)
 }
 
 /// The files of a figure, found to be writable.

@@ -2,7 +2,8 @@
 
 use std::fs;
 
-use rta::study::figures::{Content, list};
+use rta::study::figures::{Content, keywords, list};
+use rta_scenes::shipped;
 
 use super::folder::{Folder, decoder};
 
@@ -29,10 +30,18 @@ fn two_runs_leave_one_page_with_every_figure() {
         reader.next_frame(&mut pixels).unwrap();
         assert!(pixels.windows(2).any(|pair| pair[0] != pair[1]), "{} is empty", figure.name);
     }
-    let mut there: Vec<_> = fs::read_dir(folder.path("a"))
-        .unwrap()
-        .map(|e| e.unwrap().file_name().into_string().unwrap())
-        .collect();
+    for example in keywords::examples(shipped::PAGE) {
+        assert!(page.contains(&format!("keywords/{}.png", example.name)), "{}", example.name);
+        names.push(format!("keywords/{}.png", example.name));
+    }
+    names.extend(shipped::PICTURES.map(|(name, _)| format!("keywords/{name}")));
+    let entries = |path: &str| {
+        let entries = fs::read_dir(folder.path(path)).unwrap();
+        entries.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect::<Vec<_>>()
+    };
+    let mut there = entries("a");
+    there.retain(|name| name != "keywords");
+    there.extend(entries("a/keywords").iter().map(|name| format!("keywords/{name}")));
     names.sort();
     there.sort();
     assert_eq!(there, names);

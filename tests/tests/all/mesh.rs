@@ -2,20 +2,21 @@
 #![allow(clippy::indexing_slicing)] // a test may panic
 
 use rta::engine::{Engine, Format, Settings};
+use rta::study::figures::meshes;
 use rta_core::color::Rgb;
 use rta_scenes::Reading;
 use rta_scenes::description::{Description, Shading};
 
 const WAYS: [Shading; 3] = [Shading::Gouraud, Shading::Normals, Shading::BishopWeimer];
 
-/// A ball and a lamp that are far away, so that the directions to eye and lamp are nearly the same all over a triangle.
-const FAR: &str = "\
+/// A ball.
+const BALL: &str = "\
 rta 1
-camera at 0 -400 0  to 0 0 0  lens 160
+camera at 0 -4 0  to 0 0 0  lens 1.4
 model whitted
 sky grey .1
 ambient grey .2
-lamp at -200 -350 250  power 1 constant
+lamp at -4 -7 5  power 1 constant
 material m  diffuse .6  specular .3  exponent 8
 sphere at 0 0 0  radius 1  color .9 .6 .3  of m
 ";
@@ -40,28 +41,16 @@ fn error(a: &[Rgb<f32>], b: &[Rgb<f32>]) -> f64 {
     sum / (3 * a.len()).max(1) as f64
 }
 
-/// Returns the slope of the line that is nearest to points.
-fn slope(points: &[(f64, f64)]) -> f64 {
-    let count = points.len() as f64;
-    let mean = |of: fn(&(f64, f64)) -> f64| points.iter().map(of).sum::<f64>() / count;
-    let (x, y) = (mean(|point| point.0), mean(|point| point.1));
-    let both: f64 = points.iter().map(|point| (point.0 - x) * (point.1 - y)).sum();
-    both / points.iter().map(|point| (point.0 - x).powi(2)).sum::<f64>()
-}
-
 #[test]
 fn the_error_of_meshes_falls_with_the_square_of_their_rows() {
-    let size = (240, 180);
-    let whole = picture(&scene(FAR, Reading::default()), size, Format::F64);
     for shading in WAYS {
-        let points = [4, 8, 16, 32].map(|rows| {
-            let reading = Reading { tessellate: Some(rows), shading: Some(shading), ..Reading::default() };
-            let error = error(&picture(&scene(FAR, reading), size, Format::F64), &whole);
+        let errors = meshes::of(shading);
+        for (rows, error) in &errors {
             println!("{shading:?}, {rows} rows: {error:.6}");
-            (f64::from(rows).ln(), error.ln())
-        });
-        let slope = slope(&points);
+        }
+        let slope = meshes::slope(&errors);
         println!("{shading:?}: N^{slope:.2}");
+        assert_eq!(errors.len(), 4);
         assert!((-2.2..-1.8).contains(&slope), "{shading:?}: the error falls as N^{slope}");
     }
 }
@@ -73,9 +62,7 @@ fn each_way_is_the_same_in_all_formats() {
         for scanline in [false, true] {
             let reading =
                 Reading { tessellate: Some(6), shading: Some(shading), scanline, ..Reading::default() };
-            let text =
-                FAR.replace("-400", "-4").replace("lens 160", "lens 1.4").replace("-200 -350 250", "-4 -7 5");
-            let scene = scene(&text, reading);
+            let scene = scene(BALL, reading);
             let want = picture(&scene, size, Format::F64);
             for format in [Format::F32, Format::Q16, Format::Q20] {
                 let got = picture(&scene, size, format);

@@ -4,13 +4,16 @@
 //! RTA_BLESS=1 cargo test -p rta-tests --test all scene_page
 //! ```
 //!
-//! draws the pictures anew.
+//! draws the pictures anew; `rta figures` draws them too.
 
+use core::sync::atomic::AtomicBool;
 use std::fs;
 use std::path::Path;
 
+use rta::bands;
+use rta::study::figures::Tracing;
+use rta::study::figures::keywords::examples;
 use rta_tests::golden::check_file;
-use rta_tests::scene_page::examples;
 
 const PAGE: &str = include_str!("../../../scenes/README.md");
 /// What all pictures of the page may take, in bytes.
@@ -22,14 +25,12 @@ const KEPT: &str = "not drawn yet";
 fn the_pictures_are_those_of_the_scenes() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../scenes/pictures");
     let (mut bytes, mut shown) = (0, 0);
+    let pool = bands::pool(Some(1)).expect("a thread");
+    let tracing = Tracing { pool: &pool, stop: &AtomicBool::new(false) };
     for example in examples(PAGE) {
         let file = format!("{}.png", example.name);
-        // A room without a thing is the ground of other scenes, and has no picture.
-        if !PAGE.contains(&format!("](pictures/{file})")) {
-            assert!(PAGE.contains(&format!(" in {}\n", example.name)), "{file} is not shown");
-            continue;
-        }
-        let picture = example.picture().unwrap_or_else(|error| panic!("{file}: {error}"));
+        let picture =
+            example.picture(&folder.join(".."), &tracing).unwrap_or_else(|error| panic!("{file}: {error}"));
         check_file(&folder.join(&file), "format q16, 256 colours", &picture);
         bytes += fs::metadata(folder.join(&file)).expect("it is there").len();
         shown += 1;

@@ -180,6 +180,24 @@ pub(super) fn metals() -> Chart {
     )
 }
 
+/// Fresnel's reflectance of five metals in green light.
+pub(super) fn five_metals() -> Chart {
+    let metals = [
+        ("silver", Ink::Black),
+        ("aluminium", Ink::Blue),
+        ("gold", Ink::Purple),
+        ("copper", Ink::Red),
+        ("iron", Ink::Green),
+    ];
+    let curve = |(name, ink)| {
+        let reflected = value("fresnel_k");
+        let [_, [n, k], _] =
+            rta::built_in(name).and_then(|material| material.nk).unwrap_or([[f64::NAN; 2]; 3]);
+        Curve::of(name, ink, &ANGLE, move |angle| reflected(&[n, k, angle]))
+    };
+    reflectance("Reflectance of five metals in green light", metals.map(curve).into())
+}
+
 fn reflectance(title: &'static str, curves: Vec<Curve>) -> Chart {
     let (x, y) =
         (Axis { name: "angle of incidence (degrees)", range: ANGLE }, Axis { name: "F", range: 0.0..1.05 });

@@ -1,7 +1,7 @@
 //! The figures, in the order of the page. A new one is its entry here and the function that it names.
 
 use super::Content::{Curves, Picture};
-use super::{Figure, curves, pictures};
+use super::{Figure, curves, meshes, pictures};
 
 /// All figures.
 pub const ALL: &[Figure] = &[
@@ -67,6 +67,35 @@ pub const ALL: &[Figure] = &[
         content: Curves(curves::masking),
     },
     Figure {
+        name: "mesh",
+        place: "Sections 3.5.5 and 3.5.6",
+        title: "A mesh in four ways",
+        caption: "Flat faces; the light of the corners mixed, which loses the highlight where no corner is in it; the normals mixed; and cosines \
+                  expanded to the second order about the middle of each triangle, which is nearly the same.",
+        formula: "Gouraud Σ bᵢ Iᵢ; Phong I(Σ bᵢ Nᵢ / |Σ bᵢ Nᵢ|); Bishop and Weimer I to the second order in bᵢ − ⅓",
+        source: "Gouraud 1971; Phong 1975; Bishop and Weimer 1986.",
+        content: Picture(pictures::mesh),
+    },
+    Figure {
+        name: "mesh-error",
+        place: "Section 3.5.5",
+        title: "Error of a mesh over its fineness",
+        caption: "A ball is cut into 2 N x N quadrilaterals and compared with the ball itself. All three ways err by the square of the size of \
+                  a face; Gouraud's needs more faces for the same error.",
+        formula: "mean |ΔI| over the picture, whitted with exponent 8, eye and lamp far away",
+        source: "Gouraud 1971; Phong 1975; Bishop and Weimer 1986.",
+        content: Curves(meshes::errors),
+    },
+    Figure {
+        name: "prism",
+        place: "Section 3.6.2",
+        title: "A prism",
+        caption: "White light comes through slits; a prism of dense flint bends blue more than red and spreads it.",
+        formula: "sin θ / sin θ' = n(λ), by Abbe's number; fifteen wavelengths, each with a weight of its own in the three registers",
+        source: "Newton 1704; Wyman, Sloan and Shirley 2013.",
+        content: Picture(pictures::prism),
+    },
+    Figure {
         name: "fresnel-glasses",
         place: "Section 2.3.7",
         title: "Reflectance of glasses",
@@ -83,6 +112,15 @@ pub const ALL: &[Figure] = &[
         formula: "Fresnel's equations with the complex index n − i k at 611, 549 and 464 nm",
         source: "Johnson and Christy 1972; Cook and Torrance 1982.",
         content: Curves(curves::metals),
+    },
+    Figure {
+        name: "fresnel-green",
+        place: "Section 2.3.7",
+        title: "Reflectance of five metals in green light",
+        caption: "Silver and aluminium send back nearly all light, whatever its colour; iron half of it. Each dips before it goes to 1.",
+        formula: "Fresnel's equations with the complex index n − i k at 549 nm",
+        source: "Johnson and Christy 1972 and 1974; Rakic 1995.",
+        content: Curves(curves::five_metals),
     },
     Figure {
         name: "attenuation",

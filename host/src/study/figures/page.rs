@@ -3,6 +3,7 @@
 use core::fmt::Write;
 
 use super::Figure;
+use super::keywords::Example;
 
 const HEAD: &str = "\
 <!DOCTYPE html>
@@ -15,6 +16,7 @@ const HEAD: &str = "\
 body { max-width: 60em; margin: 2em auto; padding: 0 1em; font: 17px/1.5 serif; }
 figure { margin: 3em 0; }
 img { max-width: 100%; height: auto; }
+pre { overflow-x: auto; font-size: 75%; }
 .formula { font-style: italic; }
 .source { font-size: 85%; color: #444; }
 </style>
@@ -25,7 +27,7 @@ img { max-width: 100%; height: auto; }
 ";
 
 /// Returns the page.
-pub(super) fn html(figures: &[Figure]) -> String {
+pub(super) fn html(figures: &[Figure], examples: &[Example]) -> String {
     let mut page = HEAD.to_owned();
     for figure in figures {
         let Figure { name, place, title, caption, formula, source, .. } = figure;
@@ -41,6 +43,15 @@ pub(super) fn html(figures: &[Figure]) -> String {
             page,
             "<figure id=\"{name}\">\n<h2>{place}: {title}</h2>\n<img src=\"{name}.{shown}\" alt=\"{title}\">\n<figcaption>\n\
              <p>{caption}</p>\n<p class=\"formula\">{formula}</p>\n<p class=\"source\">{source} {files}</p>\n\
+             </figcaption>\n</figure>\n"
+        );
+    }
+    page += "<h2>The words of the scene language</h2>\n<p>Each scene needs nothing but its lines.</p>\n";
+    for Example { name, text } in examples {
+        let text = escaped(text);
+        let _ = write!(
+            page,
+            "<figure id=\"keyword-{name}\">\n<img src=\"keywords/{name}.png\" alt=\"{name}\">\n<figcaption>\n<pre>{text}</pre>\n\
              </figcaption>\n</figure>\n"
         );
     }

@@ -1,5 +1,7 @@
 //! The figures that are pictures, each traced from a scene in the language `.rta`.
 
+use rta_scenes::shipped;
+
 use super::Tracing;
 use crate::args::TracingArgs;
 use crate::engine::Model;
@@ -77,7 +79,22 @@ pub(super) fn terminators(tracing: &Tracing) -> Result<Displayed, StudyError> {
 
 /// Checker, marble and wood.
 pub(super) fn textures(tracing: &Tracing) -> Result<Displayed, StudyError> {
-    let scene = SceneFile::of_text("textures", TEXTURES)?;
+    whole("textures", TEXTURES, tracing)
+}
+
+/// One vase four times.
+pub(super) fn mesh(tracing: &Tracing) -> Result<Displayed, StudyError> {
+    whole("mesh", shipped::MESH, tracing)
+}
+
+/// A prism behind slits.
+pub(super) fn prism(tracing: &Tracing) -> Result<Displayed, StudyError> {
+    whole("prism", shipped::PRISM, tracing)
+}
+
+/// Returns the picture of a scene as its file has it.
+fn whole(name: &str, text: &str, tracing: &Tracing) -> Result<Displayed, StudyError> {
+    let scene = SceneFile::of_text(name, text)?;
     let request = TracingArgs::default().request_for(Target::None, &scene)?;
     let Traced { size, aspect, reference, .. } = Traced::new(&request, &scene, tracing.pool, tracing.stop)?;
     Ok(Displayed { size, aspect, pixels: Pixels::Direct(reference) })
