@@ -2,6 +2,7 @@
 
 pub(crate) mod closest;
 pub(crate) mod geometry;
+mod mesh;
 pub(crate) mod packet;
 pub(crate) mod surfaces;
 #[cfg(test)]

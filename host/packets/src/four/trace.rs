@@ -26,16 +26,16 @@ const NO_GLASS: Glass<f32> = Glass { ks: 0.0, kt: 0.0, eta: 1.0, denser: true };
 const NOWHERE: Ray4 = Ray4 { origin: Vec3x4::ZERO, direction: Vec3x4::ZERO };
 
 /// One ray of each of four trees.
-type Rays4<W> = [Pending<f32, W>; 4];
+pub(super) type Rays4<W> = [Pending<f32, W>; 4];
 
 /// The ray trees of four samples.
 pub(crate) struct Trees4<'a, M: Illumination<f32>, const STACK: usize> {
     pending: [Stack<f32, M::Weight, STACK>; 4],
-    surfaces: Surfaces4<'a>,
+    pub(super) surfaces: Surfaces4<'a>,
     cache: ShadowCache,
 }
 
-type Traced<'a, M, N, const STACK: usize> = Tracer<'a, f32, M, N, STACK, &'a Packets>;
+pub(super) type Traced<'a, M, N, const STACK: usize> = Tracer<'a, f32, M, N, STACK, &'a Packets>;
 
 impl<'a, M: Illumination<f32>, const STACK: usize> Trees4<'a, M, STACK> {
     /// Nothing waits, and nothing is known.
@@ -102,7 +102,12 @@ impl<'a, M: Illumination<f32>, const STACK: usize> Trees4<'a, M, STACK> {
             branching &= self.surfaces.on;
             let mut going_on = 0;
             if N::MIRROR && branching != 0 {
-                going_on = self.spawn(tracer, &rays, branching, (&mut current, &mut lights));
+                let meshed = if N::MESHES { branching & self.surfaces.meshed } else { 0 };
+                let flat = branching & !meshed;
+                going_on = self.spawn::<N, false>(tracer, &rays, flat, (&mut current, &mut lights));
+                if N::MESHES && meshed != 0 {
+                    going_on |= self.spawn_meshes(tracer, &rays, meshed, (&mut current, &mut lights));
+                }
             }
             for k in Bits(there & !going_on) {
                 match if N::MIRROR { one_mut(&mut self.pending, k).pop() } else { None } {
@@ -202,59 +207,10 @@ impl<'a, M: Illumination<f32>, const STACK: usize> Trees4<'a, M, STACK> {
         }
     }
 
-    /// Replaces the ambient light of those that are meshes, of those in `which`.
-    #[inline(never)] // scenes without meshes do not pay for it
-    fn mesh_ambient<N: Needs>(
-        &self,
-        tracer: &Traced<'a, M, N, STACK>,
-        rays: &Ray4,
-        which: u32,
-        lights: &mut [Rgb<f32>; 4],
-    ) {
-        let (scene, model, ..) = tracer.parts();
-        for k in Bits(which & self.surfaces.meshed) {
-            if let Some(aspects) = self.surfaces.aspects::<N>(rays, k) {
-                *one_mut(lights, k) = aspects.ambient::<M, N>(model, scene.scene.ambient);
-            }
-        }
-    }
-
-    /// Computes what meshes send back of a lamp, of those in `meshes`, and returns which of them cast a shadow ray. The lamp is behind those
-    /// in `behind`.
-    #[inline(never)]
-    fn mesh_direct<N: Needs>(
-        &self,
-        tracer: &Traced<'a, M, N, STACK>,
-        lamp: &Lamp<f32>,
-        rays: &Ray4,
-        (meshes, behind): (u32, u32),
-        (unhidden, lights): (&mut [Rgb<f32>; 4], &mut [Rgb<f32>; 4]),
-    ) -> u32 {
-        let (_, model, ..) = tracer.parts();
-        let mut shadowed = 0;
-        for k in Bits(meshes) {
-            let is_asked = M::BOTH_SIDES || (M::REFRACTS_LAMPS && self.surfaces.inside.test(k & 3));
-            if behind >> k & 1 == 1 && !is_asked {
-                continue;
-            }
-            if let Some(aspects) = self.surfaces.aspects::<N>(rays, k) {
-                let light = aspects.direct::<M, N>(model, lamp);
-                if casts_shadow_ray::<N, _>(light) {
-                    *one_mut(unhidden, k) = light;
-                    shadowed |= 1 << k;
-                } else {
-                    let own = one_mut(lights, k);
-                    *own = own.plus(light);
-                }
-            }
-        }
-        shadowed
-    }
-
     /// Spawns the secondary rays of four surfaces, of those in `which`. The reflected ones take the place of their `parents`: a
-    /// bit for each that there is. What those bring that see the sky alone is added to `lights`.
+    /// bit for each that there is. What those bring that see the sky alone is added to `lights`. All are meshes, or none is.
     #[inline(always)]
-    fn spawn<N: Needs>(
+    pub(super) fn spawn<N: Needs, const MESHES: bool>(
         &mut self,
         tracer: &Traced<'a, M, N, STACK>,
         rays: &Ray4,
@@ -276,7 +232,7 @@ impl<'a, M: Illumination<f32>, const STACK: usize> Trees4<'a, M, STACK> {
         for k in Bits(which) {
             let parent = one_mut(parents, k);
             let surface = surfaces.surface(rays, k);
-            let secondary = if N::MESHES && surfaces.meshed >> k & 1 == 1 {
+            let secondary = if MESHES {
                 surfaces.mesh_secondary::<M, N>(model, rays, k)
             } else {
                 model.secondary::<N>(&surface)
