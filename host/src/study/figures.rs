@@ -102,7 +102,7 @@ impl Figure {
     }
 }
 
-/// Runs `rta figures`. The files are written once everything is drawn.
+/// Runs `rta figures`. The files are written once everything is drawn, but for the pictures that scenes of keywords name.
 ///
 /// # Errors
 /// All of [`StudyError`] that concern pictures and outputs.

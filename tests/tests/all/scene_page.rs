@@ -15,7 +15,7 @@ use rta::study::figures::Tracing;
 use rta::study::figures::keywords::examples;
 use rta_tests::golden::check_file;
 
-const PAGE: &str = include_str!("../../../scenes/README.md");
+const PAGE: &str = rta_scenes::shipped::PAGE;
 /// What all pictures of the page may take, in bytes.
 const MOST: u64 = 420 << 10;
 /// What is said of a statement or a keyword that is read and does nothing.
@@ -27,7 +27,14 @@ fn the_pictures_are_those_of_the_scenes() {
     let (mut bytes, mut shown) = (0, 0);
     let pool = bands::pool(Some(1)).expect("a thread");
     let tracing = Tracing { pool: &pool, stop: &AtomicBool::new(false) };
-    for example in examples(PAGE) {
+    let examples = examples(PAGE);
+    // A scene without a picture is the ground of others.
+    for head in PAGE.split("\n```rta ").skip(1).filter_map(|block| block.lines().next()) {
+        let name = head.split(' ').next().expect("a name");
+        let is_ground = ["in", "after"].iter().any(|how| PAGE.contains(&format!(" {how} {name}\n")));
+        assert!(is_ground || examples.iter().any(|example| example.name == name), "{head} is not shown");
+    }
+    for example in examples {
         let file = format!("{}.png", example.name);
         let picture =
             example.picture(&folder.join(".."), &tracing).unwrap_or_else(|error| panic!("{file}: {error}"));
