@@ -31,7 +31,7 @@ pub use commands::{render, show};
 pub use engine::bands;
 pub use picture::{coloring, device, raster, screen};
 pub use request::sampling;
-pub use study::{bench, paired, report, stability, values};
+pub use study::{bench, report, stability, trail, values};
 
 /// Scene files, by the name that the tests know them by.
 pub mod scene {

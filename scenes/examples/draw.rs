@@ -21,7 +21,7 @@ fn draw(
     // From f64 into the number format.
     let scene = narrow::<Q16>(&described, 4.0 / 3.0)?;
     // The proof that no ray leaves the number format. An error names the line of the object that does not fit.
-    let admitted = scene.scene().admit(&scene.camera);
+    let admitted = scene.admit();
     let admitted = admitted.map_err(|error| OutOfRange::new(error, &described))?;
     let tracer: Tracer<_, _, Everything, 5> = Tracer::new(&admitted, Rta, 5)?;
     write!(out, "P6\n{width} {height}\n255\n")?;

@@ -28,9 +28,7 @@ use core::fmt;
 use std::path::{Path, PathBuf};
 use std::{env, fs, io};
 
-use rta_core::accelerator::Lists;
 use rta_core::needs::Used;
-use rta_core::range::Admitted;
 
 use crate::accelerator::bvh;
 use crate::description::Description;
@@ -40,7 +38,7 @@ use crate::lines::OutOfRange;
 pub use crate::model::Model;
 use crate::narrow::{NarrowError, narrow};
 use crate::pictures::PictureError;
-use crate::shading::middle;
+use crate::shading::{Wavelengths, middle};
 use crate::{in_format, read};
 
 mod coats;
@@ -192,17 +190,17 @@ fn source<S: Literal>(scene: &Description, name: &str, recipe: &Recipe) -> Resul
     let hierarchy = bvh::build::<S>(scene);
     let limits = match hierarchy.bvh() {
         Some(bvh) => narrowed.scene().admit_with(&narrowed.camera, bvh).map(|admitted| admitted.limits),
-        None => narrowed.scene().admit(&narrowed.camera).map(|admitted| admitted.limits),
+        None => narrowed.admit().map(|admitted| admitted.limits),
     };
     let limits = limits.map_err(|error| BakeError::Range(OutOfRange::new(error, scene)))?;
-    let dispersive = narrowed.dispersive(recipe.model);
+    let wavelengths = Wavelengths::new(recipe.model, &scene.air, &narrowed, limits);
+    let dispersive = wavelengths.dispersive();
     let used = Used { spectrum: !dispersive.is_empty(), ..recipe.model.used(&narrowed.scene()) };
     let mut source = String::new();
     // A String takes all that is written to it.
     let _ = module::write(&mut source, name, (&narrowed, &hierarchy), limits, used, recipe);
-    let admitted = Admitted::baked(narrowed.scene(), limits, Lists);
-    let middle = middle(&narrowed, &admitted);
-    let _ = spectrum::write(&mut source, &narrowed, &hierarchy, &dispersive);
+    let _ = spectrum::write(&mut source, &narrowed, &hierarchy, dispersive);
+    let middle = middle(&narrowed, limits);
     let _ = model::write(&mut source, &narrowed, (recipe.model, &scene.air), (middle, used.spectrum));
     Ok(source)
 }

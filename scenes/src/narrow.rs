@@ -1,14 +1,16 @@
 //! From a description in `f64` into a scene of one number format, or an error that says what does not fit.
 
-use rta_core::Scalar;
+use rta_core::accelerator::Lists;
 use rta_core::camera::{Camera, Lens};
 use rta_core::color::Rgb;
 use rta_core::light::Lamp;
 use rta_core::material::Material;
-use rta_core::scene::{Scene, Sky};
+use rta_core::range::Admitted;
+use rta_core::scene::{Limits, Scene, Sky};
 use rta_core::shape::{Cone, Cylinder, Ellipsoid, Floor, Plane, Sphere, Triangle};
 use rta_core::texture::Coat;
 use rta_core::vector::Vector;
+use rta_core::{Error, Scalar};
 
 use crate::description::{self, Description, Side};
 use crate::space::{cross, unit};
@@ -25,6 +27,8 @@ mod plane;
 mod properties;
 pub use properties::conductor;
 pub mod spectrum;
+#[cfg(test)]
+mod tests;
 pub mod triangle;
 pub mod variant;
 
@@ -66,6 +70,20 @@ pub trait Narrow: Scalar {
     fn light_to_f64(light: Self::Light) -> f64;
     /// Returns an intensity, or another number without a bound, as a float, exactly.
     fn power_to_f64(power: Self::Power) -> f64;
+    /// Brings a description into the format: what [`narrow`] calls, compiled once for each format.
+    ///
+    /// # Errors
+    /// Those of [`narrow`].
+    fn narrowed(description: &Description, aspect: f64) -> Result<Narrowed<Self>, NarrowError> {
+        brought(description, aspect)
+    }
+    /// Proves that a scene fits the format: what [`Narrowed::admit`] calls, compiled once for each format.
+    ///
+    /// # Errors
+    /// Those of [`Scene::admit`].
+    fn limits(scene: &Narrowed<Self>) -> Result<Limits<Self>, Error> {
+        proved(scene)
+    }
 }
 
 /// A scene and an eye in one number format: the lists that a core [`Scene`] borrows.
@@ -126,6 +144,17 @@ impl<S: Scalar> Narrowed<S> {
             ambient: self.ambient,
         }
     }
+
+    /// Proves that the scene fits its format from its eye, as [`Scene::admit`] does.
+    ///
+    /// # Errors
+    /// The first object or quantity that does not fit.
+    pub fn admit(&self) -> Result<Admitted<'_, S>, Error>
+    where
+        S: Narrow,
+    {
+        Ok(Admitted::baked(self.scene(), S::limits(self)?, Lists))
+    }
 }
 
 fn camera<S: Narrow>(camera: &description::Camera, aspect: f64) -> Result<Camera<S>, NarrowError> {
@@ -168,6 +197,15 @@ fn lamp<S: Narrow>(index: usize, lamp: &description::Lamp) -> Result<Lamp<S>, Na
 /// # Errors
 /// The first thing that the format cannot hold, with its size and the limit.
 pub fn narrow<S: Narrow>(description: &Description, aspect: f64) -> Result<Narrowed<S>, NarrowError> {
+    S::narrowed(description, aspect)
+}
+
+/// Proves that a scene fits its format.
+fn proved<S: Scalar>(scene: &Narrowed<S>) -> Result<Limits<S>, Error> {
+    Ok(scene.scene().admit(&scene.camera)?.limits)
+}
+
+fn brought<S: Narrow>(description: &Description, aspect: f64) -> Result<Narrowed<S>, NarrowError> {
     let is_dispersive = description.materials.iter().any(|material| material.dispersion.is_some());
     let count = description.settings.wavelengths.filter(|_| is_dispersive).unwrap_or(0);
     let wavelengths = (0..count).map(|i| wavelength(i, count)).collect();
@@ -270,42 +308,4 @@ pub fn narrow<S: Narrow>(description: &Description, aspect: f64) -> Result<Narro
         },
         ambient: Checker::<S>::named("the ambient light").light(description.ambient)?,
     })
-}
-
-#[cfg(test)]
-mod tests {
-    #![allow(clippy::indexing_slicing)] // a test may panic
-    use rta_core::Q16;
-
-    use super::*;
-    use crate::{dat, shipped};
-
-    fn refused(edit: impl Fn(&mut Description)) -> String {
-        let mut scene = dat::read(shipped::GLASS_2.as_bytes(), "glass-2.dat").expect("a shipped scene");
-        edit(&mut scene);
-        match narrow::<Q16>(&scene, 1.0) {
-            Ok(_) => "admitted".into(),
-            Err(error) => error.to_string(),
-        }
-    }
-
-    #[test]
-    fn errors_name_object_number_and_limit() {
-        assert_eq!(refused(|_| ()), "admitted");
-        assert_eq!(
-            refused(|s| s.spheres[1].position[0] = -40000.0),
-            "sphere 2 (line 9) is out of q16's range: x (with the radius) 40000.9, beyond the largest 32767.9"
-        );
-        assert_eq!(
-            refused(|s| s.spheres[0].radius = 1e-5),
-            "sphere 1 (line 8) is out of q16's range: the radius 1e-5, below the smallest 0.000244141"
-        );
-        assert!(
-            refused(|s| s.lamps[1].color[2] = 1e12)
-                .starts_with("lamp 2 (line 12) is out of q16's range: the intensity")
-        );
-        assert!(refused(|s| s.camera.eye[2] = 1e300).starts_with("the observer is out of q16's range: z"));
-        assert!(refused(|s| s.sky.zenith[2] = 1e6).starts_with("the zenith is out of q16's range"));
-        assert!(refused(|s| s.spheres[0].color[1] = 2.0).contains("beyond the largest 1.99"));
-    }
 }

@@ -5,7 +5,7 @@
 
 use std::sync::Arc;
 
-use rta_core::accelerator::Accelerator;
+use rta_core::accelerator::{Accelerator, Lists};
 use rta_core::color::Rgb;
 use rta_core::illumination::air::Through;
 use rta_core::illumination::table::Tabled;
@@ -14,11 +14,12 @@ use rta_core::light::Incident;
 use rta_core::needs::{Everything, Needs};
 use rta_core::range::Admitted;
 use rta_core::scalar::Unit;
+use rta_core::scene::Limits;
 use rta_core::surface::Surface;
 use rta_core::trace::decision::direct;
 use rta_core::trace::{Spectrum, Tracer};
 use rta_core::vector::Vec3;
-use rta_core::{Error, Scalar};
+use rta_core::{Error, Q16, Q20, Scalar};
 
 use crate::description::{Air, Material};
 use crate::model::Model;
@@ -37,6 +38,9 @@ trait Shading<S: Scalar>: Send + Sync {
     fn cutoff(&self) -> S::Unit;
     fn secondary(&self, surface: &Surface<S>) -> Secondary<Rgb<S::Unit>>;
     fn along(&self, way: &Way<S>, lit: Lit<S>) -> Option<Passage<S, Rgb<S::Unit>>>;
+    /// Returns what the model draws of the materials of a scene, in the order of their numbers, as text: what prints alike is alike, as
+    /// numbers print exactly.
+    fn drawn(&self, materials: &[rta_core::material::Material<S>]) -> Vec<String>;
 }
 
 /// A model and the rows that it needs of a scene's materials.
@@ -69,6 +73,13 @@ impl<S: Scalar, M: Tabled<S>> Shading<S> for Owned<S, M> {
     fn along(&self, way: &Way<S>, lit: Lit<S>) -> Option<Passage<S, Rgb<S::Unit>>> {
         self.model.over(&self.rows).along::<Everything>(way, lit).map(Passage::registers)
     }
+
+    fn drawn(&self, materials: &[rta_core::material::Material<S>]) -> Vec<String> {
+        let glass = |material: &rta_core::material::Material<S>| {
+            material.glass::<Everything>().filter(|_| M::REFRACTS).copied()
+        };
+        materials.iter().map(glass).zip(&self.rows).map(|drawn| format!("{drawn:?}")).collect()
+    }
 }
 
 /// Any illumination model with the rows that it needs of a scene's materials.
@@ -78,25 +89,53 @@ pub struct Shaded<S: Scalar>(Arc<dyn Shading<S>>);
 /// Any illumination model with any air, ready for one scene.
 pub type AnyModel<S> = Through<Shaded<S>, Layers<S>>;
 
-/// Returns a model and the air of a scene, ready to be traced.
-pub fn any_model<S: Narrow, A: Accelerator<S>>(
-    model: Model,
-    air: &Air,
-    scene: &Narrowed<S>,
-    admitted: &Admitted<'_, S, A>,
-) -> AnyModel<S> {
-    at_one(model, air, scene, admitted, &scene.said)
+/// A number format in which any model can be traced.
+pub trait Shade: Narrow {
+    /// Returns a model and the air of a scene with what is said of its materials at one wavelength, compiled once for each format.
+    fn at_one(
+        model: Model,
+        air: &Air,
+        scene: &Narrowed<Self>,
+        limits: Limits<Self>,
+        said: &[Material],
+    ) -> AnyModel<Self> {
+        at_one(model, air, scene, limits, said)
+    }
 }
 
-/// Returns a model and the air of a scene with what is said of its materials at one wavelength.
-fn at_one<S: Narrow, A: Accelerator<S>>(
+macro_rules! formats {
+    ($($f:ty)*) => {
+        $(impl Shade for $f {
+            // Here, for the crates above: they need not compile all models.
+            #[inline(never)]
+            fn at_one(
+                model: Model,
+                air: &Air,
+                scene: &Narrowed<Self>,
+                limits: Limits<Self>,
+                said: &[Material],
+            ) -> AnyModel<Self> {
+                at_one(model, air, scene, limits, said)
+            }
+        })*
+    };
+}
+
+formats!(f32 f64 Q16 Q20);
+
+/// Returns a model and the air of a scene with these limits, ready to be traced.
+pub fn any_model<S: Shade>(model: Model, air: &Air, scene: &Narrowed<S>, limits: Limits<S>) -> AnyModel<S> {
+    S::at_one(model, air, scene, limits, &scene.said)
+}
+
+fn at_one<S: Narrow>(
     model: Model,
     air: &Air,
     scene: &Narrowed<S>,
-    admitted: &Admitted<'_, S, A>,
+    limits: Limits<S>,
     said: &[Material],
 ) -> AnyModel<S> {
-    let middle = middle(scene, admitted);
+    let middle = middle(scene, limits);
     let air = layers(air, (middle, model.is_attenuated()), &scene.sky, scene.ambient);
     Through { model: shaded(model, middle, said, &scene.options), air }
 }
@@ -112,18 +151,42 @@ pub struct Wavelengths<S: Scalar> {
     dispersive: Vec<u16>,
 }
 
-impl<S: Narrow> Wavelengths<S> {
-    /// Returns a model and the air of a scene at each wavelength; at one alone where nothing that the model draws depends on them.
-    pub fn new<A: Accelerator<S>>(
-        model: Model,
-        air: &Air,
-        scene: &Narrowed<S>,
-        admitted: &Admitted<'_, S, A>,
-    ) -> Self {
-        let dispersive = scene.dispersive(model);
-        let further = scene.spectrum.iter().filter(|_| !dispersive.is_empty()).flat_map(|all| &all.further);
-        let further = further.map(|table| at_one(model, air, scene, admitted, &table.said)).collect();
-        Self { first: any_model(model, air, scene, admitted), further, dispersive }
+impl<S: Shade> Wavelengths<S> {
+    /// Returns a model and the air of a scene with these limits at each wavelength; at one alone where nothing that the model draws
+    /// depends on them.
+    pub fn new(model: Model, air: &Air, scene: &Narrowed<S>, limits: Limits<S>) -> Self {
+        let first = any_model(model, air, scene, limits);
+        let mut all = Self { first, further: Vec::new(), dispersive: Vec::new() };
+        let Some(narrow::Spectrum { further, .. }) = &scene.spectrum else { return all };
+        let models = further.iter().map(|table| S::at_one(model, air, scene, limits, &table.said));
+        let models: Vec<_> = models.collect();
+        let drawn = all.first.model.0.drawn(&scene.materials);
+        let others = models.iter().zip(further).map(|(own, table)| own.model.0.drawn(&table.materials));
+        let others: Vec<_> = others.collect();
+        let differs = |i: usize| others.iter().any(|other| other.get(i) != drawn.get(i));
+        all.dispersive = (0..).zip(0..drawn.len()).filter(|(_, i)| differs(*i)).map(|(n, _)| n).collect();
+        if all.is_dispersive() {
+            all.further = models;
+        }
+        all
+    }
+
+    /// Returns the numbers of the materials whose light depends on the wavelength: none where the picture is that of one wavelength.
+    #[must_use]
+    pub fn dispersive(&self) -> &[u16] {
+        &self.dispersive
+    }
+
+    /// Returns whether the picture is one of several wavelengths.
+    #[must_use]
+    pub fn is_dispersive(&self) -> bool {
+        !self.dispersive.is_empty()
+    }
+
+    /// Returns the model at the first wavelength.
+    #[must_use]
+    pub fn into_first(self) -> AnyModel<S> {
+        self.first
     }
 
     /// Calls `draw` with a tracer of all wavelengths, with rays of that depth and that cut-off, or the model's own.
@@ -142,10 +205,11 @@ impl<S: Narrow> Wavelengths<S> {
             Ok(if let Some(cutoff) = cutoff { tracer.with_cutoff(cutoff) } else { tracer })
         };
         let first = tracer(admitted, &self.first)?;
-        let Some(narrow::Spectrum { weights, further }) = &scene.spectrum else { return Ok(draw(&first)) };
-        if self.dispersive.is_empty() {
+        let Some(narrow::Spectrum { weights, further }) =
+            scene.spectrum.as_ref().filter(|_| self.is_dispersive())
+        else {
             return Ok(draw(&first));
-        }
+        };
         let scenes: Vec<_> = further.iter().map(|table| admitted.with_materials(&table.materials)).collect();
         let further = scenes.iter().zip(&self.further).map(|(scene, model)| tracer(scene, model));
         let further = further.collect::<Result<Vec<_>, Error>>()?;
@@ -157,8 +221,9 @@ impl<S: Narrow> Wavelengths<S> {
 /// A tracer with any illumination model.
 pub type AnyTracer<'a, S, N, const STACK: usize, A> = Tracer<'a, S, AnyModel<S>, N, STACK, A>;
 
-/// Returns the length of the ray in the middle of the picture, 1 if it meets nothing.
-pub fn middle<S: Narrow, A: Accelerator<S>>(scene: &Narrowed<S>, admitted: &Admitted<'_, S, A>) -> S {
+/// Returns the length of the ray in the middle of the picture of a scene with these limits, 1 if it meets nothing.
+pub(crate) fn middle<S: Narrow>(scene: &Narrowed<S>, limits: Limits<S>) -> S {
+    let admitted = Admitted::baked(scene.scene(), limits, Lists);
     let (camera, middle) = (&scene.camera, S::Unit::ZERO);
     let ray = admitted.ray::<Everything>(camera.eye, camera.direction(middle, middle));
     admitted.closest::<Everything>(&ray).map_or_else(|| S::length(1.0), |hit| hit.distance)

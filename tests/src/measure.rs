@@ -3,10 +3,10 @@
 use rta_core::color::Rgb;
 use rta_core::vector::{UnitVec3, Vec3, Vector};
 use rta_core::{Q16, Q20};
-use rta_scenes::narrow::Narrow;
+use rta_scenes::shading::Shade;
 
 /// A number format whose roundings a test can bound.
-pub trait Measure: Narrow {
+pub trait Measure: Shade {
     /// Size of one rounding of a length of about ten units, in units of length.
     const LENGTH: f64;
     /// Size of one rounding of a component of a unit vector.

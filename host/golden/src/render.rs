@@ -9,8 +9,8 @@ use rta_core::needs::Everything;
 use rta_core::trace::Tracer;
 use rta_scenes::accelerator::bvh;
 use rta_scenes::description::Description;
-use rta_scenes::narrow::{Narrow, Narrowed, narrow};
-use rta_scenes::shading::any_model;
+use rta_scenes::narrow::{Narrowed, narrow};
+use rta_scenes::shading::{Shade, any_model};
 use rta_scenes::{Format, Model, OutOfRange, in_format};
 
 use crate::error::DrawError;
@@ -64,7 +64,7 @@ impl Render {
         in_format!(self.format, S => self.draw::<S>(scene))
     }
 
-    fn draw<S: Narrow>(&self, scene: &Description) -> Result<Picture, DrawError> {
+    fn draw<S: Shade>(&self, scene: &Description) -> Result<Picture, DrawError> {
         let narrowed = narrow::<S>(scene, self.screen.aspect()?)?;
         let built = bvh::build::<S>(scene);
         let traced = match built.bvh() {
@@ -79,14 +79,15 @@ impl Render {
         })
     }
 
-    fn search<S: Narrow>(
+    fn search<S: Shade>(
         &self,
         described: &Description,
         narrowed: &Narrowed<S>,
         accelerator: impl Accelerator<S>,
     ) -> Result<Picture, DrawError> {
         let admitted = narrowed.scene().admit_with(&narrowed.camera, accelerator)?;
-        let model = any_model(self.model.unwrap_or(described.model), &described.air, narrowed, &admitted);
+        let model =
+            any_model(self.model.unwrap_or(described.model), &described.air, narrowed, admitted.limits);
         let tracer: Tracer<_, _, Everything, STACK, _> = Tracer::new(&admitted, model, self.depth)?;
         self.screen.trace(&tracer, &narrowed.camera)
     }

@@ -19,7 +19,7 @@ use rta_core::{Q16, Q20, Scalar};
 use rta_scenes::description::{Air, Description};
 use rta_scenes::model::Model;
 use rta_scenes::narrow::{Narrow, NarrowError, Narrowed, narrow};
-use rta_scenes::shading::{Wavelengths, any_model};
+use rta_scenes::shading::{Shade, Wavelengths};
 
 use crate::cache::ShadowCache;
 use crate::packets::Packets;
@@ -155,7 +155,7 @@ fn observed<S: Narrow>(
 }
 
 /// A number format that pictures can be traced in.
-pub trait Format: Rows + Narrow {
+pub trait Format: Rows + Shade {
     /// Makes a scene ready.
     ///
     /// # Errors
@@ -176,21 +176,17 @@ macro_rules! formats {
                 setup: &Setup,
             ) -> Result<Box<dyn Picture<Self>>, PictureError> {
                 let ready = Ready::<$f>::new(scene, setup)?;
+                let any = Wavelengths::new(model, &scene.air, &ready.scene, ready.limits);
+                if any.is_dispersive() {
+                    return Ok(Box::new(Spectral { ready, wavelengths: any }));
+                }
                 let is_clear = scene.air == Air::default();
                 Ok(match model {
-                    _ if !ready.scene.dispersive(model).is_empty() => {
-                        let wavelengths =
-                            Wavelengths::new(model, &scene.air, &ready.scene, &ready.admitted());
-                        Box::new(Spectral { ready, wavelengths })
-                    }
                     // The pictures that are drawn most have a tracer of their own.
                     Model::Rta if is_clear => Box::new(Modelled { ready, model: Rta }),
                     Model::Whitted if is_clear => Box::new(Modelled { ready, model: Whitted::default() }),
                     Model::Phong if is_clear => Box::new(Modelled { ready, model: Phong::default() }),
-                    _ => {
-                        let model = any_model(model, &scene.air, &ready.scene, &ready.admitted());
-                        Box::new(Modelled { ready, model })
-                    }
+                    _ => Box::new(Modelled { ready, model: any.into_first() }),
                 })
             }
         })*
@@ -213,7 +209,7 @@ impl<S: Format> Ready<S> {
             return Err(Error::Depth { depth: setup.depth, capacity: MAX_DEPTH as usize }.into());
         }
         let narrowed = narrow::<S>(scene, setup.aspect)?;
-        let limits = narrowed.scene().admit(&narrowed.camera)?.limits;
+        let limits = narrowed.admit()?.limits;
         let depth = u8::try_from(setup.depth).unwrap_or(u8::MAX);
         if depth > limits.depth {
             narrowed.scene().check_depth(depth)?;
@@ -235,7 +231,8 @@ struct Modelled<S: Narrow, M> {
 }
 
 /// All that a scene of one wavelength may need.
-struct OneWavelength;
+#[derive(Clone, Copy, Debug)]
+pub struct OneWavelength;
 
 impl Needs for OneWavelength {
     const SPECTRUM: bool = false;

@@ -5,6 +5,9 @@
 use core::fmt::{self, Display, Write as _};
 
 use rta_core::ray::RayKind;
+use rta_paired::log::{Flip, Log, Operation};
+use rta_paired::ray_tree::{HitKind, Step, Visibility};
+use rta_paired::trail::{GUNS, Pixel};
 use rta_scenes::description::Description;
 
 use crate::args::{Choice, ExplainArgs};
@@ -14,9 +17,7 @@ use crate::picture::device::Target;
 use crate::picture::output;
 use crate::picture::raster::Size;
 use crate::request::scene_file::SceneFile;
-use crate::study::paired::log::{Flip, Log, Operation};
-use crate::study::paired::ray_tree::{HitKind, Step, Visibility};
-use crate::study::paired::trail::{self, GUNS, Pixel, lock_step, picture};
+use crate::study::trail::{self, lock_step, picture};
 
 /// Operations that are printed.
 const OPERATIONS: usize = 10;

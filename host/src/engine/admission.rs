@@ -55,7 +55,7 @@ fn prove<S: Narrow>(scene: &Description, aspect: f64) -> Verdict {
 pub fn admits(scene: &Description, format: Format, aspect: f64, depth: u32) -> bool {
     fn admits<S: Narrow>(scene: &Description, aspect: f64, depth: u32) -> bool {
         narrow::<S>(scene, aspect).is_ok_and(|narrowed| {
-            let admitted = narrowed.scene().admit(&narrowed.camera);
+            let admitted = narrowed.admit();
             admitted.is_ok_and(|admitted| depth <= u32::from(admitted.limits.depth))
         })
     }

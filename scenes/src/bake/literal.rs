@@ -5,11 +5,11 @@ use rta_core::scalar::{Magnitude, Scalar};
 use rta_core::vector::{UnitVec3, Vec3, Vector};
 use rta_core::{Q16, Q20};
 
-use crate::narrow::Narrow;
+use crate::shading::Shade;
 
 /// A number format whose numbers can be written as expressions. They use the names that
 /// a baked module defines: `length`, `unit`, `light`.
-pub(super) trait Literal: Narrow {
+pub(super) trait Literal: Shade {
     /// The path of the type.
     const PATH: &'static str;
     /// Definitions of the constant functions `length`, `unit` and `light`, from bits.

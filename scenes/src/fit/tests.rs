@@ -57,7 +57,7 @@ fn lengths_are_scaled_and_nothing_else() {
 /// Returns whether a format admits a scene.
 fn admits(scene: &Description, format: Format) -> bool {
     in_format!(format, S => narrow::<S>(scene, 1.0)
-        .is_ok_and(|narrowed| narrowed.scene().admit(&narrowed.camera).is_ok()))
+        .is_ok_and(|narrowed| narrowed.admit().is_ok()))
 }
 
 /// Returns the factor by which a scene is scaled, 1 where it is best as it is and none where no scale helps, and the bits that are

@@ -2,9 +2,11 @@
 
 use fixed::types::{I2F30, I16F16};
 use rta_core::scalar::{Light, Magnitude, Radiance};
-use rta_core::{Q16, Q20, Scalar};
+use rta_core::scene::Limits;
+use rta_core::{Error, Q16, Q20, Scalar};
 
-use super::Narrow;
+use super::{Narrow, NarrowError, Narrowed, brought, proved};
+use crate::description::Description;
 
 /// An intensity as 32 bits and an exponent, rounded to the nearest.
 #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // scaled to [2^31, 2^32[
@@ -29,6 +31,20 @@ fn power<S: Scalar>(value: f64) -> S::Power {
 #[allow(clippy::cast_possible_truncation)] // it saturates
 fn bits(value: f64, fraction: u32) -> i32 {
     (value * f64::from(1u32 << fraction)).round_ties_even() as i32
+}
+
+/// The methods that are compiled here, for the crates above.
+macro_rules! compiled_here {
+    () => {
+        #[inline(never)]
+        fn narrowed(description: &Description, aspect: f64) -> Result<Narrowed<Self>, NarrowError> {
+            brought(description, aspect)
+        }
+        #[inline(never)]
+        fn limits(scene: &Narrowed<Self>) -> Result<Limits<Self>, Error> {
+            proved(scene)
+        }
+    };
 }
 
 macro_rules! fixed_point {
@@ -69,6 +85,8 @@ macro_rules! fixed_point {
                 let (mantissa, exponent) = power.parts();
                 f64::from(mantissa) * f64::from(exponent).exp2()
             }
+
+            compiled_here!();
         }
     };
 }
@@ -113,6 +131,8 @@ macro_rules! float {
             fn power_to_f64(power: Self) -> f64 {
                 power.into()
             }
+
+            compiled_here!();
         }
     };
 }

@@ -1,15 +1,11 @@
 //! Materials at several wavelengths.
 
 use rta_core::color::Rgb;
-use rta_core::illumination::table::Tabled;
 use rta_core::material::Material;
-use rta_core::needs::Everything;
 use rta_core::scalar::{Scalar, Unit};
 
-use super::variant::{Source, Visitor};
-use super::{Narrow, Narrowed};
+use super::Narrow;
 use crate::description;
-use crate::model::Model;
 use crate::spectrum;
 
 /// The materials of a scene at one wavelength, in the order of their numbers.
@@ -32,46 +28,6 @@ pub struct Spectrum<S: Scalar> {
     pub weights: Vec<Rgb<S::Unit>>,
     /// The materials at all wavelengths but the first.
     pub further: Vec<Table<S>>,
-}
-
-impl<S: Narrow> Narrowed<S> {
-    /// Returns the numbers of the materials whose light depends on the wavelength under a model: none where the picture is that of one
-    /// wavelength.
-    #[must_use]
-    pub fn dispersive(&self, model: Model) -> Vec<u16> {
-        match &self.spectrum {
-            Some(spectrum) => self.options.with_model(model, Dispersive { model, scene: self, spectrum }),
-            None => Vec::new(),
-        }
-    }
-}
-
-/// A scene whose dispersive materials under a model are looked for.
-struct Dispersive<'a, S: Scalar> {
-    model: Model,
-    scene: &'a Narrowed<S>,
-    spectrum: &'a Spectrum<S>,
-}
-
-impl<S: Narrow> Visitor<S> for Dispersive<'_, S> {
-    type Output = Vec<u16>;
-
-    fn visit<M: Tabled<S> + 'static>(self, core: M, _source: Source<S>) -> Vec<u16> {
-        let Self { model, scene, spectrum } = self;
-        // What prints alike is alike: numbers print exactly.
-        let seen = |materials: &[Material<S>], said: &[description::Material]| -> Vec<String> {
-            let rows = scene.options.rows(model, &core, said);
-            let glass =
-                |material: &Material<S>| material.glass::<Everything>().filter(|_| M::REFRACTS).copied();
-            let glasses = materials.iter().map(glass);
-            glasses.zip(rows).map(|seen| format!("{seen:?}")).collect()
-        };
-        let first = seen(&scene.materials, &scene.said);
-        let others: Vec<_> =
-            spectrum.further.iter().map(|table| seen(&table.materials, &table.said)).collect();
-        let differs = |i: usize| others.iter().any(|other| other.get(i) != first.get(i));
-        (0..).zip(0..first.len()).filter(|(_, i)| differs(*i)).map(|(number, _)| number).collect()
-    }
 }
 
 /// Returns [`weights`](crate::spectrum::weights) in a number format. The largest weight of each register takes up what the others are rounded by, so that the sum is

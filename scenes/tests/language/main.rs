@@ -12,7 +12,7 @@ mod random;
 /// Returns the light of a small picture, as exactly as the format has it.
 fn picture<S: Narrow>(described: &Description, model: Model) -> Vec<String> {
     let scene = narrow::<S>(described, 4.0 / 3.0).expect("it fits");
-    let admitted = scene.scene().admit(&scene.camera).expect("it is admitted");
+    let admitted = scene.admit().expect("it is admitted");
     in_model!(model, inner => {
         let tracer: Tracer<_, _, Everything, 5> = Tracer::new(&admitted, inner, 5).expect("a depth");
         let raster = Raster::new(40, 30).expect("a raster");

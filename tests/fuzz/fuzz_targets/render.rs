@@ -174,7 +174,7 @@ fn draw<S: Narrow>(scene: &Description, aspect: f64, depth: u32) {
 }
 
 fn render<S: Narrow, M: Illumination<S>>(narrowed: &Narrowed<S>, model: M, depth: u32) {
-    let Ok(admitted) = narrowed.scene().admit(&narrowed.camera) else { return };
+    let Ok(admitted) = narrowed.admit() else { return };
     let tracer: Tracer<_, _, Everything, 8> = Tracer::new(&admitted, model, depth).expect("no deeper than 8");
     let raster = Raster::new(7, 5).expect("a small one");
     for light in Pixels::new(&tracer, &narrowed.camera, raster) {

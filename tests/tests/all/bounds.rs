@@ -1,8 +1,6 @@
 //! The range proof against measured sizes: in pictures that are traced in an instrumented scalar, no intermediate
 //! exceeds the bound that was proved for it.
 
-use rta::paired::log::{Kind, Operation, record};
-use rta::paired::{Format, Paired};
 use rta_core::accelerator::Lists;
 use rta_core::illumination::Rta;
 use rta_core::needs::Everything;
@@ -11,6 +9,8 @@ use rta_core::scalar::{Magnitude, Unit};
 use rta_core::trace::Tracer;
 use rta_core::vector::UnitVec3;
 use rta_core::{Q16, Q20, Scalar};
+use rta_paired::log::{Kind, Operation, record};
+use rta_paired::{Format, Paired};
 use rta_scenes::narrow::narrow;
 use rta_scenes::{dat, description::Description, shipped};
 use rta_tests::random_scenes;
@@ -44,7 +44,7 @@ where
 {
     let narrowed = narrow::<Paired<S>>(scene, 4.0 / 3.0).ok()?;
     let bounds: [Bound; 13] = narrowed.scene().prove(&narrowed.camera, &Lists).bounds;
-    let admitted = narrowed.scene().admit(&narrowed.camera).ok()?;
+    let admitted = narrowed.admit().ok()?;
     let tracer: Tracer<_, _, Everything, 5> = Tracer::new(&admitted, Rta, 5).expect("depth 5 of 5");
     let bound =
         |q: &Quantity| bounds.iter().find(|row| row.quantity == *q).map_or(0.0, |row| value(row.bound));

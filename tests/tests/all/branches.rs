@@ -9,10 +9,11 @@
 
 use fastrand::Rng;
 use rta::engine::{Format, Settings};
-use rta::paired;
-use rta::paired::trail::{self, GUNS, Pixel, picture};
+use rta::trail::{self, picture};
 use rta_core::color::Rgb;
 use rta_core::{Q16, Q20};
+use rta_paired as paired;
+use rta_paired::trail::{GUNS, Pixel};
 use rta_scenes::description::Description;
 use rta_scenes::{dat, shipped};
 use rta_tests::picture::settings;

@@ -98,14 +98,14 @@ fn ask<S: Measure>(model: &AnyModel<S>, point: &Point<S>, lamps: &[Lamp<S>], cas
 fn check<S: Measure>() {
     let scene = rta::read(MATERIALS.as_bytes(), "edges.rta").expect("a scene");
     let narrowed = narrow::<S>(&scene, 1.0).expect("it fits");
-    let admitted = narrowed.scene().admit(&narrowed.camera).expect("it fits");
+    let admitted = narrowed.admit().expect("it fits");
     let steady: Lamp<S> = Point::lamp();
     let radius = S::length(1.0);
     let large = Lamp { radius, inverse_radius: radius.inverse(), fall_off: FallOff::Square, ..steady };
     let lamps = [steady, large];
     let mut asked = 0;
     for (&name, air) in Model::ALL.iter().flat_map(|name| airs().map(|air| (name, air))) {
-        let model = any_model(name, &air, &narrowed, &admitted);
+        let model = any_model(name, &air, &narrowed, admitted.limits);
         for (number, material) in (0..).zip(&narrowed.materials) {
             for (light, view) in DIRECTIONS.iter().flat_map(|&light| DIRECTIONS.map(|view| (light, view))) {
                 let [_, _, height] = view;

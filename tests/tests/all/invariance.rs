@@ -105,7 +105,7 @@ fn every_depth_is_that_of_the_model() {
 fn a_depth_beyond_the_stack_is_an_error() {
     let scene = narrow::<Q16>(&shipped_scene("glass-2"), 1.0).expect("it fits");
     let tracer = |depth| {
-        let admitted = scene.scene().admit(&scene.camera).expect("it fits");
+        let admitted = scene.admit().expect("it fits");
         Tracer::<_, _, Everything, 5>::new(&admitted, Rta, depth).map(|_| ())
     };
     assert_eq!(tracer(5), Ok(()));

@@ -36,7 +36,7 @@ fn look(
     towards: [f64; 3],
 ) -> [f64; 3] {
     let narrowed = narrow::<f64>(scene, 1.0).expect("it fits");
-    let admitted = narrowed.scene().admit(&narrowed.camera).expect("it fits");
+    let admitted = narrowed.admit().expect("it fits");
     let tracer: Tracer<_, _, Everything, 16> = Tracer::new(&admitted, model, depth).expect("no deeper");
     read_light::<f64>(tracer.radiance(place::<f64>(eye), direction::<f64>(towards)))
 }
@@ -45,7 +45,7 @@ fn look(
 fn a_cutoff_leaves_out_the_faint_rays() {
     let glass = ball(description::Surface::Transparent { ks: 0.3, kt: 0.7, ior: 1.5 });
     let narrowed = narrow::<f64>(&glass, 1.0).expect("it fits");
-    let admitted = narrowed.scene().admit(&narrowed.camera).expect("it fits");
+    let admitted = narrowed.admit().expect("it fits");
     let tracer: Tracer<_, _, Everything, 16> = Tracer::new(&admitted, Rta, 16).expect("no deeper");
     let [eye, towards] = [place::<f64>([0.0, -9.0, 0.5]), direction::<f64>([0.0, 1.0, 0.0])];
     // What leaves the sphere: 0.3, then 0.7 0.7 0.3^n; what stays in it: 0.7 0.3^n.

@@ -46,7 +46,7 @@ fn a_weight_is_bounded_at_the_depth_of_the_ray() {
 /// Returns the greatest depth of the rays between two such mirrors.
 fn depth<S: Narrow>(part: f64) -> u8 {
     let narrowed = narrow::<S>(&mirrors(part), 1.0).expect("it fits");
-    narrowed.scene().admit(&narrowed.camera).expect("it is admitted").limits.depth
+    narrowed.admit().expect("it is admitted").limits.depth
 }
 
 #[test]

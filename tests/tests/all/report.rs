@@ -87,7 +87,7 @@ fn traced<S: Narrow>(
     raster: Raster,
 ) -> (Vec<Rgb<f32>>, Rays) {
     let narrowed = narrow::<S>(scene, ASPECT).expect("it fits");
-    let admitted = narrowed.scene().admit(&narrowed.camera).expect("it is admitted");
+    let admitted = narrowed.admit().expect("it is admitted");
     let tracer = Tracer::<S, _, Everything, 32>::new(&admitted, Rta, limit.depth).expect("not too deep");
     let tracer = tracer.with_cutoff(S::Unit::ratio(limit.cutoff.numerator(), limit.cutoff.denominator()));
     let mut rays = Tally::default();

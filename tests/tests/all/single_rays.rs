@@ -8,7 +8,6 @@
 #![allow(clippy::indexing_slicing, reason = "a test may panic")]
 
 use fastrand::Rng;
-use rta::paired::{Format, Value};
 use rta_core::color::Rgb;
 use rta_core::needs::Everything;
 use rta_core::ray::Ray;
@@ -17,6 +16,7 @@ use rta_core::scene::PLAIN;
 use rta_core::shape::{Cylinder, Ellipsoid, Primitive, Sphere};
 use rta_core::vector::{UnitVec3, Vec3, Vector};
 use rta_core::{Q16, Q20};
+use rta_paired::{Format, Value};
 
 /// Number of rays at a sphere.
 const RAYS: u32 = 400_000;

@@ -57,7 +57,7 @@ struct Shot {
 fn shoot<S: Measure>(scene: &Narrowed<S>, from: Triple, towards: Triple) -> Shot {
     let (d, _) = direction::<S>(towards).normalize().expect("it has a length");
     let ray = Ray::new(place::<S>(from), d);
-    let admitted = scene.scene().admit(&scene.camera).expect("it fits");
+    let admitted = scene.admit().expect("it fits");
     let read = |v: rta_core::vector::Vec3<S>| [v.x(), v.y(), v.z()].map(S::to_f64);
     let hit = admitted.closest::<Everything>(&ray).map(|hit| {
         let found = admitted.scene.point::<Everything>(hit.object, &ray, hit.distance);

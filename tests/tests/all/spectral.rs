@@ -98,7 +98,7 @@ polygon 1 0 -5  0 1.7320508075688772 -5  0 1.7320508075688772 5  1 0 5  of flint
 #[test]
 fn a_prism_bends_blue_more_than_red_by_snells_law() {
     let narrowed = narrow::<f64>(&read(ANGLES), 1.0).expect("it fits");
-    let admitted = narrowed.scene().admit(&narrowed.camera).expect("it is small");
+    let admitted = narrowed.admit().expect("it is small");
     let further = &narrowed.spectrum.as_ref().expect("it is dispersive").further;
     let incidence = 56.0_f64.to_radians();
     let toward = incidence - 30_f64.to_radians();

@@ -32,7 +32,7 @@ pub(crate) fn compare<S: Narrow, A: Accelerator<S>>(
     rays: usize,
     seed: u64,
 ) -> usize {
-    let lists = narrowed.scene().admit(&narrowed.camera).expect("it fits");
+    let lists = narrowed.admit().expect("it fits");
     let others = accelerators.iter().map(|other| narrowed.scene().admit_with(&narrowed.camera, *other));
     let others: Vec<_> = others.collect::<Result<_, _>>().expect("it fits");
     // What is kept from ray to ray makes no difference.

@@ -87,7 +87,7 @@ fn compare_far<S: Narrow + ToF32>(size: f64) -> usize {
     let scene = huge(size);
     let narrowed = narrow::<S>(&scene, 1.0).expect("it fits");
     let packets = Packets::build::<S>(&scene);
-    let lists = narrowed.scene().admit(&narrowed.camera).expect("it fits");
+    let lists = narrowed.admit().expect("it fits");
     let packets = narrowed.scene().admit_with(&narrowed.camera, &packets).expect("it fits");
     let (mut rng, mut met) = (Rng::with_seed(1), 0);
     for _ in 0..2000 {

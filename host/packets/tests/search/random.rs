@@ -33,7 +33,7 @@ fn raster() -> Raster {
 fn listed<S: Format>(scene: &Narrowed<S>, (model, air): (Model, Air)) -> Vec<Rgb<S::Light>> {
     let admitted = scene.scene().admit_with(&scene.camera, Lists).expect("it fits");
     let tracer: Tracer<S, _, Everything, 32> =
-        Tracer::new(&admitted, any_model(model, &air, scene, &admitted), DEPTH).expect("a depth");
+        Tracer::new(&admitted, any_model(model, &air, scene, admitted.limits), DEPTH).expect("a depth");
     Pixels::new(&tracer, &scene.camera, raster()).collect()
 }
 

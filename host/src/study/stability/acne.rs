@@ -54,7 +54,7 @@ pub(super) fn search<S: Narrow>(case: &Case, points: usize, rng: &mut Rng, measu
         scene.lamps.truncate(1);
         let given = rounded::<S>(&scene);
         let Ok(narrowed) = narrow::<S>(&given, 1.0) else { continue };
-        let Ok(admitted) = narrowed.scene().admit(&narrowed.camera) else { continue };
+        let Ok(admitted) = narrowed.admit() else { continue };
         let Some(lamp) = given.lamps.first() else { continue };
         let inside = body.holds(lamp.position);
         for _ in 0..BLOCK {

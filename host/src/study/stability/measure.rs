@@ -7,11 +7,12 @@ use rta_core::needs::Everything;
 use rta_core::range::Admitted;
 use rta_core::trace::Tracer;
 use rta_core::vector::{UnitVec3, Vector};
+use rta_packets::picture::OneWavelength;
 use rta_packets::tally::Tally;
 use rta_scenes::description::Description;
 use rta_scenes::in_format;
-use rta_scenes::narrow::{Narrow, Narrowed, narrow};
-use rta_scenes::shading::{AnyModel, any_model};
+use rta_scenes::narrow::{Narrowed, narrow};
+use rta_scenes::shading::{AnyModel, Shade, any_model};
 
 use super::acne;
 use super::aim::Drawn;
@@ -33,7 +34,7 @@ pub fn measure(case: &Case, format: Format, samples: usize) -> Outcome {
     in_format!(format, S => measured::<S>(case, samples))
 }
 
-fn measured<S: Narrow>(case: &Case, samples: usize) -> Outcome {
+fn measured<S: Shade>(case: &Case, samples: usize) -> Outcome {
     let mut measured = Measured { samples: (samples / case.thinning).max(1), ..Measured::default() };
     let mut errors = Vec::with_capacity(measured.samples);
     // The same rays for all formats, and others for each case.
@@ -60,7 +61,7 @@ fn measured<S: Narrow>(case: &Case, samples: usize) -> Outcome {
 }
 
 /// Traces the rays of one eye.
-fn block<S: Narrow>(
+fn block<S: Shade>(
     case: &Case,
     scene: &Description,
     count: usize,
@@ -71,7 +72,7 @@ fn block<S: Narrow>(
     let given = rounded::<S>(scene);
     let (tested, exact) = (narrow::<S>(&given, 1.0)?, narrow::<f64>(&given, 1.0)?);
     let (mut rays, mut unused) = (Tally::default(), Tally::default());
-    let admitted = (tested.scene().admit(&tested.camera)?, exact.scene().admit(&exact.camera)?);
+    let admitted = (tested.admit()?, exact.admit()?);
     let tested = Side::new(case, &given, &tested, &admitted.0)?;
     let exact = Side::new(case, &given, &exact, &admitted.1)?;
     for i in 0..count {
@@ -94,7 +95,7 @@ fn block<S: Narrow>(
 }
 
 /// Returns a direction in the format, and its exact value in `f64`.
-fn directions<S: Narrow>(drawn: Drawn, tested: &Side<S>, exact: &Side<f64>) -> (UnitVec3<S>, UnitVec3<f64>) {
+fn directions<S: Shade>(drawn: Drawn, tested: &Side<S>, exact: &Side<f64>) -> (UnitVec3<S>, UnitVec3<f64>) {
     match drawn {
         Drawn::Through(x, y) => {
             let (x, y) = (S::unit(x), S::unit(y));
@@ -120,7 +121,7 @@ fn difference(got: Rgb<f32>, want: Rgb<f32>) -> Option<f64> {
 }
 
 /// A tracer in one format, for any illumination model.
-type AnyTracer<'a, S> = Tracer<'a, S, AnyModel<S>, Everything, { MAX_DEPTH as usize }>;
+type AnyTracer<'a, S> = Tracer<'a, S, AnyModel<S>, OneWavelength, { MAX_DEPTH as usize }>;
 
 /// A scene in one format with a tracer for each of the models that take turns (see [`stability`](super)).
 struct Side<'a, S: Scalar> {
@@ -129,14 +130,14 @@ struct Side<'a, S: Scalar> {
     tracers: Vec<AnyTracer<'a, S>>,
 }
 
-impl<'a, S: Narrow> Side<'a, S> {
+impl<'a, S: Shade> Side<'a, S> {
     fn new(
         case: &Case,
         described: &Description,
         scene: &'a Narrowed<S>,
         admitted: &'a Admitted<'a, S>,
     ) -> Result<Self, rta_core::Error> {
-        let model = |&model| any_model(model, &described.air, scene, admitted);
+        let model = |&model| any_model(model, &described.air, scene, admitted.limits);
         let tracers = case.models.iter().map(|name| Tracer::new(admitted, model(name), case.depth));
         Ok(Self { scene, admitted, tracers: tracers.collect::<Result<_, _>>()? })
     }

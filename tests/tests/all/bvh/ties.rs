@@ -69,7 +69,7 @@ fn doubled() -> Description {
 fn ties<S: Narrow + Debug>() {
     let scene = doubled();
     let narrowed = narrow::<S>(&scene, 1.0).expect("it fits");
-    let lists = narrowed.scene().admit(&narrowed.camera).expect("it fits");
+    let lists = narrowed.admit().expect("it fits");
     for seed in 0..8 {
         let built = if seed == 0 { over_spheres::<S>(&scene) } else { over_all::<S>(&scene, seed) };
         let bvh = built.bvh().expect("it has nodes");
@@ -167,7 +167,7 @@ fn glasses(count: u32) -> Description {
 fn row<S: Narrow>(count: u32) -> bool {
     let scene = glasses(count);
     let narrowed = narrow::<S>(&scene, 1.0).expect("it fits");
-    let lists = narrowed.scene().admit(&narrowed.camera).expect("it fits");
+    let lists = narrowed.admit().expect("it fits");
     let (origin, direction, length) =
         aim::<S>(scene.camera.eye, scene.lamps.first().expect("there is one").position).expect("it is away");
     let (ray, t_max) = (lists.ray::<Everything>(origin, direction), S::length(length));

@@ -5,7 +5,7 @@ use rta_core::scalar::{Radiance, Scalar};
 use rta_core::{Q16, Q20};
 use rta_scenes::narrow::Narrow;
 
-use super::log::Kind;
+use crate::log::Kind;
 
 /// A number that can be read as `f64`, exactly.
 pub trait Value: Copy {

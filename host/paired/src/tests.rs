@@ -8,15 +8,26 @@ use rta_core::vector::{LengthVector, UnitVec3, UnitVector, Vec3, Vector};
 use rta_scenes::narrow::Narrow;
 use rta_scenes::{dat, shipped};
 
+use rta_core::raster::Raster;
+use rta_core::sampling::Sampling;
+use rta_packets::picture::Setup;
+use rta_scenes::description::Description;
+use rta_scenes::{Format, Model, in_format};
+
 use super::ray_tree::{HitKind, Visibility};
-use super::trail::{Pixel, lock_step, pixel, pixels};
+use super::trail::{self, Pixel, Window, lock_step};
 use super::{Paired, log};
-use crate::engine::{Format, Settings};
 
 type P = Paired<Q16>;
 
-fn settings(format: Format) -> Settings {
-    Settings { width: 64, height: 40, format, ..Settings::default() }
+fn setup() -> Setup {
+    let raster = Raster::new(64, 40).expect("a raster");
+    Setup { raster, aspect: 4.0 / 3.0, depth: 5, cutoff: None, sampling: Sampling::CENTER }
+}
+
+fn pixels(scene: &Description, format: Format, model: Model, window: &Window) -> Vec<Pixel> {
+    let pixels = in_format!(format, S => trail::pixels::<S>(scene, model, &setup(), window));
+    pixels.expect("it fits")
 }
 
 #[test]
@@ -82,18 +93,21 @@ fn the_format_runs_as_if_it_were_alone() {
     for (name, text) in shipped::ALL {
         let scene = dat::read(text.as_bytes(), name).expect(name);
         for format in [Format::F32, Format::Q16, Format::Q20] {
-            let at = settings(format);
-            let alone = pixels(&scene, &at, 20..21).expect(name);
+            let row = Window { rows: 20..21, columns: 0..64 };
+            let alone = pixels(&scene, format, Model::Rta, &row);
             assert_eq!(alone.len(), 64);
             for (x, alone) in (0..).zip(&alone).step_by(5) {
-                let pair = lock_step(&scene, &at, x, 20).expect(name).expect("in the raster");
+                let pair = lock_step(&scene, (format, Model::Rta), &setup(), (x, 20));
+                let pair = pair.expect(name).expect("in the raster");
                 assert_eq!(pair.light, alone.light, "{name} {format} {x}");
                 assert_eq!(pair.tree.parting(&alone.tree), None, "{name} {format} {x}");
                 assert!(!pair.log.operations.is_empty() && alone.log.operations.is_empty());
             }
         }
-        assert!(lock_step(&scene, &settings(Format::Q16), 64, 0).expect(name).is_none());
-        assert!(lock_step(&scene, &settings(Format::Q16), 0, 40).expect(name).is_none());
+        for outside in [(64, 0), (0, 40)] {
+            let pair = lock_step(&scene, (Format::Q16, Model::Rta), &setup(), outside);
+            assert!(pair.expect(name).is_none());
+        }
     }
 }
 
@@ -112,16 +126,17 @@ const SCENE: &str = "\
 #[test]
 fn a_trail_holds_the_ray_tree() {
     let scene = dat::read(SCENE.as_bytes(), "scene").expect("well formed");
-    let Settings { width, height, .. } = settings(Format::F64);
-    let all = pixels(&scene, &settings(Format::F64), 0..height).expect("it fits");
-    assert_eq!(all.len(), (width * height) as usize);
+    let raster = setup().raster;
+    let window = Window { rows: 0..raster.height(), columns: 0..raster.width() };
+    let all = pixels(&scene, Format::F64, Model::Rta, &window);
+    assert_eq!(all.len(), (raster.width() * raster.height()) as usize);
     let [first, .., last] = all.as_slice() else { panic!("pixels") };
     let tree = |pixel: &Pixel| -> Vec<_> {
         pixel.tree.steps.iter().map(|s| (s.kind, s.depth, s.hit, s.inside)).collect()
     };
     assert_eq!(tree(first), [(RayKind::Primary, 0, HitKind::Sky, false)]);
     assert!(matches!(tree(last).as_slice(), [(RayKind::Primary, 0, HitKind::Floor { .. }, false)]));
-    let center = all.get((20 * width + 32) as usize).expect("the middle");
+    let center = all.get(20 * 64 + 32).expect("the middle");
     let glass = HitKind::Object(Object::Sphere(0));
     let [primary, reflected, inner, ..] = tree(center)[..] else { panic!("a tree: {center:?}") };
     assert_eq!(primary, (RayKind::Primary, 0, glass, false));
@@ -161,9 +176,9 @@ fn a_mesh_is_searched_as_a_picture_searches_it() {
     }
     let scene = rta_scenes::nff::read(text.as_bytes(), "mesh").expect("well formed");
     for format in [Format::F32, Format::Q16, Format::Q20] {
-        let settings = Settings { model: crate::engine::Model::Phong, ..settings(format) };
-        let pair = lock_step(&scene, &settings, 32, 20).expect("it fits").expect("in the raster");
-        let alone = pixel(&scene, &settings, 32, 20).expect("it fits").expect("in the raster");
+        let pair = lock_step(&scene, (format, Model::Phong), &setup(), (32, 20));
+        let pair = pair.expect("it fits").expect("in the raster");
+        let alone = pixels(&scene, format, Model::Phong, &Window::at(32, 20)).pop().expect("in the raster");
         assert_eq!((pair.light, pair.tree.parting(&alone.tree)), (alone.light, None));
         let (rays, operations) = (pair.tree.steps.len(), pair.log.operations.len());
         assert!(rays > 10 && operations < 2000 * rays, "{format}: {operations} operations of {rays} rays");

@@ -3,8 +3,9 @@
 use rta_core::scalar::{Light, Magnitude, Number, Positive, Scalar, Unit};
 use rta_packets::ToF32;
 use rta_scenes::narrow::Narrow;
+use rta_scenes::shading::Shade;
 
-use super::{Bare, Format, Paired, PairedVector, UnitFormat, Value, log};
+use crate::{Bare, Format, Paired, PairedVector, UnitFormat, Value, log};
 
 impl<T: Number + Value> Number for Paired<T> {
     fn size(self) -> Magnitude {
@@ -260,6 +261,8 @@ impl<L: Light<Unit: UnitFormat> + Value> Light for Paired<L> {
 }
 
 /// The twin has the numbers of the scene file as they are: rounding them is the format's first loss.
+impl<S: Format> Shade for Paired<S> {}
+
 impl<S: Format> Narrow for Paired<S> {
     const NAME: &'static str = S::NAME;
     const SMALLEST_RADIUS: f64 = S::SMALLEST_RADIUS;

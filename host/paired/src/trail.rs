@@ -13,17 +13,17 @@ use rta_core::needs::Everything;
 use rta_core::range::Admitted;
 use rta_core::raster::Raster;
 use rta_core::sampling::{Center, Places};
+use rta_packets::picture::{MAX_DEPTH, PictureError, Setup};
 use rta_packets::{Packets, ShadowCache, ToF32};
 use rta_scenes::description::Description;
-use rta_scenes::in_format;
 use rta_scenes::narrow::{Narrowed, narrow};
 use rta_scenes::shading::{AnyTracer, Wavelengths};
+use rta_scenes::{Format, Model, in_format};
 
-use super::log::{self, Log};
-use super::ray_tree::RayTree;
-use super::recorder::{Readable, Recorder};
-use super::{Paired, Value};
-use crate::engine::{EngineError, MAX_DEPTH, Settings};
+use crate::log::{self, Log};
+use crate::ray_tree::RayTree;
+use crate::recorder::{Readable, Recorder};
+use crate::{Paired, Value};
 
 /// A pixel and how it came about.
 #[derive(Clone, Debug)]
@@ -41,76 +41,60 @@ pub struct Pixel {
 /// The largest levels of the guns of the three devices: mode 13h, graPHIGS, PIXRECT.
 pub const GUNS: [u8; 3] = [63, 15, 255];
 
-/// Returns the pixels of some rows, from left to right and from top to bottom. They are traced on all cores.
-///
-/// # Errors
-/// Whatever keeps the scene from being drawn with these settings.
-pub fn pixels(scene: &Description, settings: &Settings, rows: Range<u32>) -> Result<Vec<Pixel>, EngineError> {
-    let window = Window { rows, columns: 0..settings.width };
-    in_format!(settings.format, S => traced::<S>(scene, settings, &window))
-}
-
-/// Returns all pixels of a picture.
-///
-/// # Errors
-/// Whatever keeps the scene from being drawn with these settings.
-pub fn picture(scene: &Description, settings: &Settings) -> Result<Vec<Pixel>, EngineError> {
-    pixels(scene, settings, 0..settings.height)
-}
-
-/// Returns one pixel; nothing where the raster has no such pixel.
-///
-/// # Errors
-/// Whatever keeps the scene from being drawn with these settings.
-pub fn pixel(scene: &Description, settings: &Settings, x: u32, y: u32) -> Result<Option<Pixel>, EngineError> {
-    let pixels = in_format!(settings.format, S => traced::<S>(scene, settings, &Window::at(x, y)));
-    Ok(pixels?.pop())
-}
-
 /// Returns one pixel in lock step with `f64`; nothing where the raster has no such pixel.
 ///
 /// # Errors
 /// Whatever keeps the scene from being drawn with these settings.
 pub fn lock_step(
     scene: &Description,
-    settings: &Settings,
-    x: u32,
-    y: u32,
-) -> Result<Option<Pixel>, EngineError> {
-    let pixels = in_format!(settings.format, S => traced::<Paired<S>>(scene, settings, &Window::at(x, y)));
+    (format, model): (Format, Model),
+    setup: &Setup,
+    (x, y): (u32, u32),
+) -> Result<Option<Pixel>, PictureError> {
+    let window = Window::at(x, y);
+    let pixels = in_format!(format, S => pixels::<Paired<S>>(scene, model, setup, &window));
     Ok(pixels?.pop())
 }
 
 /// The pixels to trace, as far as the raster has them.
-struct Window {
-    rows: Range<u32>,
-    columns: Range<u32>,
+#[derive(Clone, Debug)]
+pub struct Window {
+    /// Rows.
+    pub rows: Range<u32>,
+    /// Columns.
+    pub columns: Range<u32>,
 }
 
 impl Window {
-    const fn at(x: u32, y: u32) -> Self {
+    /// Returns the window of one pixel.
+    #[must_use]
+    pub const fn at(x: u32, y: u32) -> Self {
         Self { rows: y..y.saturating_add(1), columns: x..x.saturating_add(1) }
     }
 }
 
-/// The objects are searched for as in a picture: what a hierarchy leaves out decides nothing in it, is none of its branches, and
-/// would take the time of a ray's way through all of a large scene, and the memory of all its operations.
-fn traced<S: Readable + ToF32>(
+/// Returns the pixels of a window in the format `S`, from left to right and from top to bottom. They are traced on all cores, all of each
+/// tree, whatever the cut-off.
+///
+/// # Errors
+/// Whatever keeps the scene from being drawn with these settings.
+// The objects are searched for as in a picture: what a hierarchy leaves out decides nothing in it, is none of its branches, and
+// would take the time of a ray's way through all of a large scene, and the memory of all its operations.
+pub fn pixels<S: Readable + ToF32>(
     scene: &Description,
-    settings: &Settings,
+    model: Model,
+    setup: &Setup,
     window: &Window,
-) -> Result<Vec<Pixel>, EngineError> {
-    let raster = Raster::new(settings.width, settings.height)?;
-    let narrowed = narrow::<S>(scene, settings.aspect)?;
-    let limits = narrowed.scene().admit(&narrowed.camera)?.limits;
-    let depth = u8::try_from(settings.depth).unwrap_or(u8::MAX);
+) -> Result<Vec<Pixel>, PictureError> {
+    let narrowed = narrow::<S>(scene, setup.aspect)?;
+    let limits = narrowed.admit()?.limits;
+    let depth = u8::try_from(setup.depth).unwrap_or(u8::MAX);
     narrowed.scene().check_depth(depth)?;
     let packets = Packets::build::<S>(scene);
     let admitted = Admitted::baked(narrowed.scene(), limits, &packets);
-    let wavelengths = Wavelengths::new(settings.model, &scene.air, &narrowed, &admitted);
-    let place = (&narrowed, raster, window);
-    Ok(wavelengths
-        .with_tracer(&narrowed, &admitted, (settings.depth, None), |tracer| trace(tracer, place))?)
+    let wavelengths = Wavelengths::new(model, &scene.air, &narrowed, limits);
+    let place = (&narrowed, setup.raster, window);
+    Ok(wavelengths.with_tracer(&narrowed, &admitted, (setup.depth, None), |tracer| trace(tracer, place))?)
 }
 
 type Traced<'t, 'a, S> = AnyTracer<'t, S, Everything, { MAX_DEPTH as usize }, &'a Packets>;

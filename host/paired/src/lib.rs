@@ -7,8 +7,11 @@
 //! That tells *where* a picture goes wrong. *Whether* a pixel took the same branches as in `f64` is told by its
 //! [`ray_tree`] in each of the two number formats on its own.
 //!
+//! [`trail::lock_step`] traces a pixel so. It is the one thing that is compiled here for all formats, without optimisation: its code is
+//! large, and one pixel is quickly traced.
+//!
 //! ```
-//! use rta::paired::{Paired, log};
+//! use rta_paired::{Paired, log};
 //! use rta_core::Q16;
 //! use rta_core::vector::LengthVector;
 //! use rta_core::scalar::Scalar;
@@ -19,6 +22,7 @@
 //! assert_eq!(log.operations.len(), 2);
 //! assert!(log.flips.is_empty());
 //! ```
+#![forbid(unsafe_code)]
 
 use core::cmp::Ordering;
 use core::ops::{Add, Neg, Sub};
@@ -32,7 +36,13 @@ pub mod trail;
 mod vector;
 
 pub use format::{Format, UnitFormat, Value};
+pub use recorder::Readable;
 pub use vector::PairedVector;
+
+/// The code of the README, compiled and run with the other examples.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;
 
 /// A number of the format under test and its twin in `f64`: a length, a unit, a square or a radiance.
 #[derive(Clone, Copy, Debug)]

@@ -9,14 +9,14 @@ use rta_core::scene::{Hit, Object, Scene};
 use rta_core::surface::Surface;
 use rta_core::trace::Observer;
 use rta_core::trace::decision::Start;
-use rta_scenes::narrow::Narrow;
+use rta_scenes::shading::Shade;
 
-use super::ray_tree::{HitKind, RayTree, Step, Visibility};
-use super::{Value, log};
+use crate::ray_tree::{HitKind, RayTree, Step, Visibility};
+use crate::{Value, log};
 
-/// A scalar whose quantities can be read; paired ones too.
-pub(super) trait Readable: Value + Narrow<Unit: Value, Light: Value> {}
-impl<S: Value + Narrow<Unit: Value, Light: Value>> Readable for S {}
+/// A number format whose quantities can be read; paired ones too.
+pub trait Readable: Value + Shade<Unit: Value, Light: Value> {}
+impl<S: Value + Shade<Unit: Value, Light: Value>> Readable for S {}
 
 /// Records the ray tree of one pixel after the other.
 #[derive(Debug, Default)]

@@ -5,7 +5,7 @@ use core::ops::{Add, Neg, Sub};
 use rta_core::Scalar;
 use rta_core::vector::{LengthVector, Plan, UnitVec3, UnitVector, Vec3, Vector};
 
-use super::{Bare, Format, Paired, UnitFormat, Value, log};
+use crate::{Bare, Format, Paired, UnitFormat, Value, log};
 
 /// A vector of the format under test and its twin in `f64`.
 #[derive(Clone, Copy, Debug)]
