@@ -114,8 +114,6 @@ needs! {
     MESHES meshes,
     /// A picture of the sky.
     SKY_MAP sky_map,
-    /// Pictures of several wavelengths: [`Spectrum`](crate::trace::Spectrum).
-    SPECTRUM spectrum,
 }
 
 /// All constants true: for a program that reads its scene at run time.

@@ -8,14 +8,11 @@ use core::iter::FusedIterator;
 
 pub use places::{Center, Places};
 
-use crate::accelerator::{Accelerator, Lists};
 use crate::camera::Camera;
 use crate::color::Rgb;
 use crate::error::Error;
-use crate::illumination::Illumination;
-use crate::needs::Needs;
 use crate::scalar::Scalar;
-use crate::trace::{Observer, Tracer};
+use crate::trace::{Observer, Trace};
 
 /// Width and height in pixels, each 1 to 65535.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -53,8 +50,8 @@ impl Raster {
 /// An iterator over the radiance of the pixels of some rows, from left to right and from top to bottom. `P` places the samples
 /// of each pixel.
 /// `for_each` and `fold` may be quicker than repeated calls of `next`, and give the same light.
-pub struct Pixels<'a, S: Scalar, M, N, const STACK: usize, A: Accelerator<S> = Lists, P: Places = Center> {
-    tracer: &'a Tracer<'a, S, M, N, STACK, A>,
+pub struct Pixels<'a, S: Scalar, T: Trace<S>, P: Places = Center> {
+    tracer: &'a T,
     camera: &'a Camera<S>,
     raster: Raster,
     places: P,
@@ -65,34 +62,25 @@ pub struct Pixels<'a, S: Scalar, M, N, const STACK: usize, A: Accelerator<S> = L
     right: u32,
     /// What the samples of row `y` have in common: see [`Places::row`].
     row: P::Row<S::Unit>,
-    memory: A::Memory,
+    memory: T::Memory,
 }
 
-impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Accelerator<S>>
-    Pixels<'a, S, M, N, STACK, A>
-{
+impl<'a, S: Scalar, T: Trace<S>> Pixels<'a, S, T> {
     /// Returns an iterator over all pixels of a raster, one sample each.
-    pub fn new(tracer: &'a Tracer<'a, S, M, N, STACK, A>, camera: &'a Camera<S>, raster: Raster) -> Self {
+    pub fn new(tracer: &'a T, camera: &'a Camera<S>, raster: Raster) -> Self {
         Self::sampled(tracer, camera, raster, Center, 0, raster.height)
     }
 
     /// Returns an iterator over the pixels of row `y`, 0 at the top, one sample each.
-    pub fn row(
-        tracer: &'a Tracer<'a, S, M, N, STACK, A>,
-        camera: &'a Camera<S>,
-        raster: Raster,
-        y: u32,
-    ) -> Self {
+    pub fn row(tracer: &'a T, camera: &'a Camera<S>, raster: Raster, y: u32) -> Self {
         Self::sampled(tracer, camera, raster, Center, y, y.saturating_add(1))
     }
 }
 
-impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Accelerator<S>, P: Places>
-    Pixels<'a, S, M, N, STACK, A, P>
-{
+impl<'a, S: Scalar, T: Trace<S>, P: Places> Pixels<'a, S, T, P> {
     /// Returns an iterator over the rows `first..end`, cut to the raster, with the samples that `places` names.
     pub fn sampled(
-        tracer: &'a Tracer<'a, S, M, N, STACK, A>,
+        tracer: &'a T,
         camera: &'a Camera<S>,
         raster: Raster,
         places: P,
@@ -100,7 +88,7 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Acceler
         end: u32,
     ) -> Self {
         let row = places.row(raster, first.min(raster.height));
-        let (end, memory) = (end.min(raster.height), A::Memory::default());
+        let (end, memory) = (end.min(raster.height), T::Memory::default());
         Self { tracer, camera, raster, places, x: 0, y: first, end, right: raster.width, row, memory }
     }
 
@@ -112,7 +100,7 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Acceler
     #[cfg_attr(not(target_os = "none"), inline(always))]
     fn step<O: Observer<S> + ?Sized>(
         &mut self,
-        tracer: &Tracer<'_, S, M, N, STACK, A>,
+        tracer: &T,
         camera: &Camera<S>,
         observer: &mut O,
     ) -> Option<Rgb<S::Light>> {
@@ -141,7 +129,7 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Acceler
     #[cfg_attr(not(target_os = "none"), inline(always))]
     fn pixel<O: Observer<S> + ?Sized>(
         &mut self,
-        tracer: &Tracer<'_, S, M, N, STACK, A>,
+        tracer: &T,
         camera: &Camera<S>,
         row: P::Row<S::Unit>,
         x: u32,
@@ -161,7 +149,7 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Acceler
     #[inline(never)]
     fn each<B>(
         &mut self,
-        tracer: &Tracer<'_, S, M, N, STACK, A>,
+        tracer: &T,
         camera: &Camera<S>,
         init: B,
         f: &mut impl FnMut(B, Rgb<S::Light>) -> B,
@@ -174,9 +162,7 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Acceler
     }
 }
 
-impl<S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Accelerator<S>, P: Places> Iterator
-    for Pixels<'_, S, M, N, STACK, A, P>
-{
+impl<S: Scalar, T: Trace<S>, P: Places> Iterator for Pixels<'_, S, T, P> {
     type Item = Rgb<S::Light>;
 
     fn next(&mut self) -> Option<Self::Item> {
@@ -197,9 +183,7 @@ impl<S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Accelerator
     }
 }
 
-impl<S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Accelerator<S>, P: Places>
-    DoubleEndedIterator for Pixels<'_, S, M, N, STACK, A, P>
-{
+impl<S: Scalar, T: Trace<S>, P: Places> DoubleEndedIterator for Pixels<'_, S, T, P> {
     /// Returns the last pixel that is left: dithering draws every second row from right to left.
     fn next_back(&mut self) -> Option<Self::Item> {
         if self.y >= self.end {
@@ -217,16 +201,11 @@ impl<S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Accelerator
     }
 }
 
-impl<S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Accelerator<S>, P: Places>
-    ExactSizeIterator for Pixels<'_, S, M, N, STACK, A, P>
-{
+impl<S: Scalar, T: Trace<S>, P: Places> ExactSizeIterator for Pixels<'_, S, T, P> {
     // The default checks that both ends of the hint are equal, and firmware would have the message.
     fn len(&self) -> usize {
         self.size_hint().0
     }
 }
 
-impl<S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Accelerator<S>, P: Places> FusedIterator
-    for Pixels<'_, S, M, N, STACK, A, P>
-{
-}
+impl<S: Scalar, T: Trace<S>, P: Places> FusedIterator for Pixels<'_, S, T, P> {}

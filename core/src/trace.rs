@@ -9,13 +9,14 @@
 mod aspects;
 pub mod decision;
 mod observer;
+mod spawn;
 mod spectrum;
 
 use core::marker::PhantomData;
 
 use heapless::Vec;
 
-use decision::{Branch, Start, ambient, branch, casts_shadow_ray, direct, mirrored_sky, refract, secondary};
+use decision::{Branch, Start, ambient, casts_shadow_ray, direct};
 pub use observer::Observer;
 pub use spectrum::Spectrum;
 
@@ -24,11 +25,10 @@ use crate::color::Rgb;
 use crate::error::Error;
 use crate::illumination::{Illumination, Passage, Way, Weight};
 use crate::light::Incident;
-use crate::material::Glass;
 use crate::needs::Needs;
 use crate::range::Admitted;
 use crate::ray::Ray;
-use crate::scalar::vector::{LengthVector, UnitVec3, UnitVector, Vec3};
+use crate::scalar::vector::{LengthVector, UnitVec3, Vec3};
 use crate::scalar::{Light, Scalar, Unit};
 use crate::surface::Surface;
 use crate::world::Seen;
@@ -43,7 +43,6 @@ pub struct Tracer<'a, S: Scalar, M, N, const STACK: usize, A = Lists> {
     model: M,
     depth: u8,
     cutoff: S::Unit,
-    spectrum: Option<&'a Spectrum<'a, S, M, N, STACK, A>>,
     needs: PhantomData<fn() -> N>,
 }
 
@@ -58,6 +57,60 @@ pub struct Pending<S: Scalar, W> {
 
 /// The stack of rays that are still to be traced.
 pub type Stack<S, W, const STACK: usize> = Vec<Pending<S, W>, STACK>;
+
+/// What returns the light of a ray from the eye: a [`Tracer`], or the [`Spectrum`] of several.
+pub trait Trace<S: Scalar> {
+    /// What its accelerator keeps from ray to ray: [`Accelerator::Memory`].
+    type Memory: Default;
+
+    /// Returns the radiance that a ray from `origin` in the unit direction `direction` brings back, from the whole ray tree.
+    /// `memory` is what the accelerator keeps from ray to ray; `observer` is told of every ray.
+    fn trace<O: Observer<S> + ?Sized>(
+        &self,
+        origin: Vec3<S>,
+        direction: UnitVec3<S>,
+        memory: &mut Self::Memory,
+        observer: &mut O,
+    ) -> Rgb<S::Light>;
+}
+
+impl<S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Accelerator<S>> Trace<S>
+    for Tracer<'_, S, M, N, STACK, A>
+{
+    type Memory = A::Memory;
+
+    #[cfg_attr(not(target_os = "none"), inline(always))]
+    fn trace<O: Observer<S> + ?Sized>(
+        &self,
+        origin: Vec3<S>,
+        direction: UnitVec3<S>,
+        memory: &mut A::Memory,
+        observer: &mut O,
+    ) -> Rgb<S::Light> {
+        let mut current = Pending { start: Start { origin, direction }, branch: Branch::eye::<S>() };
+        if !N::MIRROR {
+            return self.arrived(&mut current, &mut None, memory, observer);
+        }
+        let mut pending = Stack::<S, M::Weight, STACK>::new();
+        let mut light = Rgb::BLACK;
+        loop {
+            let mut surface = None;
+            let weighted = self.arrived(&mut current, &mut surface, memory, observer);
+            observer.light(weighted);
+            light = light.plus(weighted);
+            let next = match &surface {
+                Some(surface) if current.branch.depth < self.depth => {
+                    self.spawn(surface, &current, (&mut pending, &mut light), observer)
+                }
+                _ => None,
+            };
+            match next.or_else(|| pending.pop()) {
+                Some(next) => current = next,
+                None => return light,
+            }
+        }
+    }
+}
 
 impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Accelerator<S>>
     Tracer<'a, S, M, N, STACK, A>
@@ -82,7 +135,7 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Acceler
             return Err(error);
         }
         let cutoff = model.cutoff();
-        Ok(Self { scene, model, depth, cutoff, spectrum: None, needs: PhantomData })
+        Ok(Self { scene, model, depth, cutoff, needs: PhantomData })
     }
 
     /// Returns the tracer with a contribution cut-off: a secondary ray whose weight is below `cutoff` is not traced. This is
@@ -92,69 +145,14 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Acceler
         Self { cutoff, ..self }
     }
 
-    /// Returns the tracer of a picture of several wavelengths, of which this one traces the first. It needs [`Needs::SPECTRUM`].
-    pub fn with_spectrum(self, spectrum: &'a Spectrum<'a, S, M, N, STACK, A>) -> Self {
-        Self { spectrum: Some(spectrum), ..self }
-    }
-
     /// Returns scene, model, depth and cut-off, for a loop outside the core that traces several rays side by side.
     pub const fn parts(&self) -> (&'a Admitted<'a, S, A>, &M, u8, S::Unit) {
         (self.scene, &self.model, self.depth, self.cutoff)
     }
 
-    /// Returns the radiance that a ray from `origin` in the unit direction `direction` brings back, from the whole ray tree.
+    /// Returns the radiance that a ray from `origin` in the unit direction `direction` brings back: see [`Trace::trace`].
     pub fn radiance(&self, origin: Vec3<S>, direction: UnitVec3<S>) -> Rgb<S::Light> {
         self.trace(origin, direction, &mut A::Memory::default(), &mut ())
-    }
-
-    /// Returns the radiance that a ray from `origin` in the unit direction `direction` brings back, from the whole ray tree; of
-    /// several wavelengths, where the tracer has a [`Spectrum`].
-    /// `memory` is what the accelerator keeps from ray to ray; `observer` is told of every ray.
-    #[cfg_attr(not(target_os = "none"), inline(always))]
-    pub fn trace<O: Observer<S> + ?Sized>(
-        &self,
-        origin: Vec3<S>,
-        direction: UnitVec3<S>,
-        memory: &mut A::Memory,
-        observer: &mut O,
-    ) -> Rgb<S::Light> {
-        let start = Start { origin, direction };
-        match self.spectrum {
-            Some(spectrum) if N::SPECTRUM => spectrum.trace(self, start, memory, observer),
-            _ => self.tree(start, memory, observer),
-        }
-    }
-
-    /// Returns the radiance of one ray tree, of the tracer's own wavelength.
-    #[cfg_attr(not(target_os = "none"), inline(always))]
-    fn tree<O: Observer<S> + ?Sized>(
-        &self,
-        start: Start<S>,
-        memory: &mut A::Memory,
-        observer: &mut O,
-    ) -> Rgb<S::Light> {
-        let mut current = Pending { start, branch: Branch::eye::<S>() };
-        if !N::MIRROR {
-            return self.arrived(&mut current, &mut None, memory, observer);
-        }
-        let mut pending = Stack::<S, M::Weight, STACK>::new();
-        let mut light = Rgb::BLACK;
-        loop {
-            let mut surface = None;
-            let weighted = self.arrived(&mut current, &mut surface, memory, observer);
-            observer.light(weighted);
-            light = light.plus(weighted);
-            let next = match &surface {
-                Some(surface) if current.branch.depth < self.depth => {
-                    self.spawn(surface, &current, (&mut pending, &mut light), observer)
-                }
-                _ => None,
-            };
-            match next.or_else(|| pending.pop()) {
-                Some(next) => current = next,
-                None => return light,
-            }
-        }
     }
 
     /// Returns the part of the radiance of one ray, without its secondary rays, that arrives in the pixel. `surface` becomes the surface
@@ -264,63 +262,5 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Acceler
         let ray = self.ray(start);
         let t_max = incident.distance - used;
         self.scene.accelerator().transmittance::<N>(self.scene, &ray, t_max, number, memory)
-    }
-
-    /// Spawns the secondary rays of a surface: pushes the transmitted one and returns the reflected one, which is followed next. Adds to
-    /// `light` what the reflected one brings where it sees the sky alone.
-    #[cfg_attr(not(target_os = "none"), inline(always))]
-    fn spawn<O: Observer<S> + ?Sized>(
-        &self,
-        surface: &Surface<S>,
-        parent: &Pending<S, M::Weight>,
-        (pending, light): (&mut Stack<S, M::Weight, STACK>, &mut Rgb<S::Light>),
-        observer: &mut O,
-    ) -> Option<Pending<S, M::Weight>> {
-        let start = |direction, leaves: bool| {
-            let (side, direction) = (surface.side::<N>(), surface.fold::<N>(direction, leaves));
-            let (origin, _) =
-                surface.point.leave(if leaves { side } else { -side }, direction, surface.extent);
-            Start { origin, direction }
-        };
-        let reflected = || start(surface.incoming.reflect(surface.normal), true);
-        let mut is_total = false;
-        let refracted = |glass: &Glass<S>| {
-            let direction = refract(surface, glass);
-            is_total = direction.is_none();
-            direction.map(|direction| start(direction, false))
-        };
-        let place = (&parent.branch, self.cutoff);
-        let straight = || start(surface.incoming, false);
-        let [transmitted, reflected] = branch::<S, M::Weight, N>(
-            secondary::<S, M, N>(&self.model, surface),
-            surface,
-            place,
-            reflected,
-            refracted,
-            straight,
-        );
-        if is_total {
-            observer.total_reflection();
-        }
-        let mut told = |(branch, start): (Branch<M::Weight>, Start<S>)| {
-            observer.spawned(&|cutoff| !branch.weight.is_below(cutoff));
-            Pending { start, branch }
-        };
-        if N::GLASS
-            && let Some(transmitted) = transmitted
-        {
-            // There is room: at most one ray waits for each level, and there are no more than STACK.
-            let pushed = pending.push(told(transmitted));
-            debug_assert!(pushed.is_ok(), "the ray stack is one entry for each level of depth");
-        }
-        if N::SURROUNDINGS && surface.surroundings {
-            if let Some((branch, start)) = reflected {
-                let sky = mirrored_sky::<S, _, N>(&self.scene.scene, branch.weight, start.direction);
-                observer.light(sky);
-                *light = light.plus(sky);
-            }
-            return None;
-        }
-        reflected.map(told)
     }
 }

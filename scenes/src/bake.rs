@@ -28,8 +28,6 @@ use core::fmt;
 use std::path::{Path, PathBuf};
 use std::{env, fs, io};
 
-use rta_core::needs::Used;
-
 use crate::accelerator::bvh;
 use crate::description::Description;
 use crate::error::SceneError;
@@ -195,12 +193,17 @@ fn source<S: Literal>(scene: &Description, name: &str, recipe: &Recipe) -> Resul
     let limits = limits.map_err(|error| BakeError::Range(OutOfRange::new(error, scene)))?;
     let wavelengths = Wavelengths::new(recipe.model, &scene.air, &narrowed, limits);
     let dispersive = wavelengths.dispersive();
-    let used = Used { spectrum: !dispersive.is_empty(), ..recipe.model.used(&narrowed.scene()) };
+    let used = recipe.model.used(&narrowed.scene());
     let mut source = String::new();
     // A String takes all that is written to it.
     let _ = module::write(&mut source, name, (&narrowed, &hierarchy), limits, used, recipe);
     let _ = spectrum::write(&mut source, &narrowed, &hierarchy, dispersive);
     let middle = middle(&narrowed, limits);
-    let _ = model::write(&mut source, &narrowed, (recipe.model, &scene.air), (middle, used.spectrum));
+    let _ = model::write(
+        &mut source,
+        &narrowed,
+        (recipe.model, &scene.air),
+        (middle, wavelengths.is_dispersive()),
+    );
     Ok(source)
 }

@@ -189,7 +189,7 @@ impl<S: Shade> Wavelengths<S> {
         self.first
     }
 
-    /// Calls `draw` with a tracer of all wavelengths, with rays of that depth and that cut-off, or the model's own.
+    /// Calls `draw` with the tracers of all wavelengths, with rays of that depth and that cut-off, or the model's own.
     ///
     /// # Errors
     /// Those of [`Tracer::new`].
@@ -198,28 +198,27 @@ impl<S: Shade> Wavelengths<S> {
         scene: &Narrowed<S>,
         admitted: &Admitted<'_, S, A>,
         (depth, cutoff): (u32, Option<S::Unit>),
-        draw: impl FnOnce(&AnyTracer<'_, S, N, STACK, A>) -> R,
+        draw: impl FnOnce(&AnySpectrum<'_, S, N, STACK, A>) -> R,
     ) -> Result<R, Error> {
         let tracer = |scene, model: &AnyModel<S>| {
             let tracer = Tracer::new(scene, model.clone(), depth)?;
             Ok(if let Some(cutoff) = cutoff { tracer.with_cutoff(cutoff) } else { tracer })
         };
         let first = tracer(admitted, &self.first)?;
-        let Some(narrow::Spectrum { weights, further }) =
-            scene.spectrum.as_ref().filter(|_| self.is_dispersive())
-        else {
-            return Ok(draw(&first));
-        };
-        let scenes: Vec<_> = further.iter().map(|table| admitted.with_materials(&table.materials)).collect();
+        let spectrum = scene.spectrum.as_ref().filter(|_| self.is_dispersive());
+        // One wavelength has all of the light.
+        let one = [Rgb::new(S::Unit::ONE, S::Unit::ONE, S::Unit::ONE)];
+        let (weights, tables) =
+            spectrum.map_or((&one[..], &[][..]), |spectrum| (&spectrum.weights, &spectrum.further));
+        let scenes: Vec<_> = tables.iter().map(|table| admitted.with_materials(&table.materials)).collect();
         let further = scenes.iter().zip(&self.further).map(|(scene, model)| tracer(scene, model));
         let further = further.collect::<Result<Vec<_>, Error>>()?;
-        let spectrum = Spectrum { weights, further: &further, dispersive: &self.dispersive };
-        Ok(draw(&first.with_spectrum(&spectrum)))
+        Ok(draw(&Spectrum { weights, first, further: &further, dispersive: &self.dispersive }))
     }
 }
 
-/// A tracer with any illumination model.
-pub type AnyTracer<'a, S, N, const STACK: usize, A> = Tracer<'a, S, AnyModel<S>, N, STACK, A>;
+/// The tracers of any illumination model at several wavelengths, or at one.
+pub type AnySpectrum<'a, S, N, const STACK: usize, A> = Spectrum<'a, S, AnyModel<S>, N, STACK, A>;
 
 /// Returns the length of the ray in the middle of the picture of a scene with these limits, 1 if it meets nothing.
 pub(crate) fn middle<S: Narrow>(scene: &Narrowed<S>, limits: Limits<S>) -> S {

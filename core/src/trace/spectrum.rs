@@ -8,45 +8,47 @@
 use core::iter::once;
 
 use super::decision::Start;
-use super::{Observer, Tracer};
+use super::{Observer, Trace, Tracer};
 use crate::accelerator::{Accelerator, Lists};
 use crate::color::Rgb;
 use crate::illumination::Illumination;
 use crate::light::Incident;
 use crate::needs::Needs;
 use crate::ray::RayKind;
+use crate::scalar::vector::{UnitVec3, Vec3};
 use crate::scalar::{Light, Scalar};
 use crate::scene::Hit;
 use crate::surface::Surface;
 
-/// The wavelengths of a picture, for [`Tracer::with_spectrum`]: the first is that of the tracer itself.
+/// The tracers of a picture of several wavelengths.
 #[derive(Clone, Copy, Debug)]
 pub struct Spectrum<'a, S: Scalar, M, N, const STACK: usize, A = Lists> {
     /// The weight of each wavelength in each register, from the first on, 0 to 1. Each register adds up to 1.
     pub weights: &'a [Rgb<S::Unit>],
+    /// The tracer of the first wavelength.
+    pub first: Tracer<'a, S, M, N, STACK, A>,
     /// The tracers of all wavelengths but the first, in the order of the weights.
     pub further: &'a [Tracer<'a, S, M, N, STACK, A>],
     /// The numbers of the materials whose light depends on the wavelength.
     pub dispersive: &'a [u16],
 }
 
-impl<S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Accelerator<S>>
-    Spectrum<'_, S, M, N, STACK, A>
+impl<S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Accelerator<S>> Trace<S>
+    for Spectrum<'_, S, M, N, STACK, A>
 {
-    /// Returns the radiance of all wavelengths along a ray; `first` traces the first of them. `observer` is told of every ray.
-    // By itself: where there is one wavelength the tracer stays what it is.
-    #[inline(never)]
-    pub(super) fn trace<O: Observer<S> + ?Sized>(
+    type Memory = A::Memory;
+
+    fn trace<O: Observer<S> + ?Sized>(
         &self,
-        first: &Tracer<'_, S, M, N, STACK, A>,
-        start: Start<S>,
+        origin: Vec3<S>,
+        direction: UnitVec3<S>,
         memory: &mut A::Memory,
         observer: &mut O,
     ) -> Rgb<S::Light> {
         let mut watched = Watched { observer, dispersive: self.dispersive, is_met: false };
         let mut light = Rgb::BLACK;
-        for (tracer, &weight) in once(first).chain(self.further).zip(self.weights) {
-            let own = tracer.tree(start, memory, &mut watched);
+        for (tracer, &weight) in once(&self.first).chain(self.further).zip(self.weights) {
+            let own = tracer.trace(origin, direction, memory, &mut watched);
             if !watched.is_met {
                 return own;
             }

@@ -1,14 +1,11 @@
 //! The screen that a picture is drawn for: a device, the part of its raster that is drawn, and a colour table.
 
 use rta_core::Scalar;
-use rta_core::accelerator::Accelerator;
 use rta_core::camera::Camera;
 use rta_core::color::Rgb;
-use rta_core::illumination::Illumination;
-use rta_core::needs::Needs;
 use rta_core::raster::lattice::Lattice;
 use rta_core::raster::{Pixels, Raster};
-use rta_core::trace::Tracer;
+use rta_core::trace::Trace;
 use rta_drivers::display::Capabilities;
 use rta_drivers::dither::{Cell, Damped, Diffusion, Dither, Plain};
 use rta_drivers::painter::Painter;
@@ -86,11 +83,7 @@ impl Screen {
     ///
     /// # Errors
     /// Those of [`Screen::paint`].
-    pub fn trace<S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Accelerator<S>>(
-        &self,
-        tracer: &Tracer<'_, S, M, N, STACK, A>,
-        camera: &Camera<S>,
-    ) -> Result<Picture, DrawError> {
+    pub fn trace<S: Scalar>(&self, tracer: &impl Trace<S>, camera: &Camera<S>) -> Result<Picture, DrawError> {
         let (raster, most) = (self.raster()?, self.light_max());
         let samples = || {
             let lattice = self.lattice(raster);

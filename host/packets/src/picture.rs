@@ -7,14 +7,14 @@ use core::fmt;
 use rta_core::Error;
 use rta_core::color::Rgb;
 use rta_core::illumination::{Illumination, Phong, Rta, Whitted};
-use rta_core::needs::Needs;
+use rta_core::needs::Everything;
 use rta_core::range::Admitted;
 use rta_core::raster::Raster;
 use rta_core::raster::lattice::Lattice;
 use rta_core::sampling::{Center, Places, Sampling};
 use rta_core::scalar::Unit;
 use rta_core::scene::Limits;
-use rta_core::trace::{Observer, Tracer};
+use rta_core::trace::{Observer, Trace, Tracer};
 use rta_core::{Q16, Q20, Scalar};
 use rta_scenes::description::{Air, Description};
 use rta_scenes::model::Model;
@@ -230,15 +230,7 @@ struct Modelled<S: Narrow, M> {
     model: M,
 }
 
-/// All that a scene of one wavelength may need.
-#[derive(Clone, Copy, Debug)]
-pub struct OneWavelength;
-
-impl Needs for OneWavelength {
-    const SPECTRUM: bool = false;
-}
-
-type Traced<'a, S, M> = Tracer<'a, S, M, OneWavelength, { MAX_DEPTH as usize }, &'a Packets>;
+type Traced<'a, S, M> = Tracer<'a, S, M, Everything, { MAX_DEPTH as usize }, &'a Packets>;
 
 impl<S: Format, M: Illumination<S> + Clone> Modelled<S, M> {
     fn tracer<'a>(&self, admitted: &'a Admitted<'a, S, &'a Packets>) -> Option<Traced<'a, S, M>> {

@@ -13,11 +13,12 @@ use rta_core::needs::Everything;
 use rta_core::range::Admitted;
 use rta_core::raster::Raster;
 use rta_core::sampling::{Center, Places};
+use rta_core::trace::Trace;
 use rta_packets::picture::{MAX_DEPTH, PictureError, Setup};
 use rta_packets::{Packets, ShadowCache, ToF32};
 use rta_scenes::description::Description;
 use rta_scenes::narrow::{Narrowed, narrow};
-use rta_scenes::shading::{AnyTracer, Wavelengths};
+use rta_scenes::shading::{AnySpectrum, Wavelengths};
 use rta_scenes::{Format, Model, in_format};
 
 use crate::log::{self, Log};
@@ -97,7 +98,7 @@ pub fn pixels<S: Readable + ToF32>(
     Ok(wavelengths.with_tracer(&narrowed, &admitted, (setup.depth, None), |tracer| trace(tracer, place))?)
 }
 
-type Traced<'t, 'a, S> = AnyTracer<'t, S, Everything, { MAX_DEPTH as usize }, &'a Packets>;
+type Traced<'t, 'a, S> = AnySpectrum<'t, S, Everything, { MAX_DEPTH as usize }, &'a Packets>;
 
 /// Traces the pixels of a window. Where one is made of several wavelengths, the trees of all follow each other.
 fn trace<S: Readable + ToF32>(

@@ -39,7 +39,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     };
     let (needs, baked) = match variable("RTA_NEEDS", "baked").as_str() {
         "baked" => ("scene::Needs", true),
-        "everything" => ("Everything", false),
+        "everything" => ("rta_core::needs::Everything", false),
         other => return Err(format!("RTA_NEEDS is baked or everything, not {other}").into()),
     };
     let colors = match variable("RTA_COLORS", "standard").as_str() {
@@ -53,10 +53,6 @@ fn main() -> Result<(), Box<dyn Error>> {
     let (width, height): (u32, u32) = (width.parse()?, height.parse()?);
     let choice = format!(
         "mod scene {{\n    include!({scene:?});\n}}\n\
-         /// All that a scene of its wavelengths may need.\n\
-         #[derive(Clone, Copy)]\npub struct Everything;\n\
-         impl rta_core::needs::Needs for Everything {{\n    \
-         const SPECTRUM: bool = <scene::Needs as rta_core::needs::Needs>::SPECTRUM;\n}}\n\
          type Needs = {needs};\n\
          /// Whether the program is for this scene alone. Otherwise the compiler must not know what it will draw.\n\
          const BAKED: bool = {baked};\n\

@@ -11,7 +11,7 @@ use rta_core::illumination::{Illumination, Phong, Rta, Whitted};
 use rta_core::needs::{Needs, Used};
 use rta_core::range::Admitted;
 use rta_core::raster::{Pixels, Raster};
-use rta_core::trace::{Spectrum, Tracer};
+use rta_core::trace::{Spectrum, Trace, Tracer};
 use rta_scenes::accelerator::bvh;
 use rta_scenes::bake;
 use rta_scenes::description::Description;
@@ -145,15 +145,14 @@ pub(super) fn draw_spectrum<S: Narrow, M: Illumination<S> + Copy, A: Accelerator
         Tracer::new(scene, *model, SMALL.depth).expect("the stack is deep enough")
     };
     let further: Vec<_> = scenes.iter().zip(models).map(tracer).collect();
-    let spectrum = Spectrum { weights, further: &further, dispersive };
     let first = tracer((scene, &model));
-    picture(&if N::SPECTRUM { first.with_spectrum(&spectrum) } else { first }, camera)
+    if weights.is_empty() {
+        return picture(&first, camera);
+    }
+    picture(&Spectrum { weights, first, further: &further, dispersive }, camera)
 }
 
-fn picture<S: Narrow, M: Illumination<S>, A: Accelerator<S>, N: Needs>(
-    tracer: &Tracer<'_, S, M, N, STACK, A>,
-    camera: &Camera<S>,
-) -> Picture {
+fn picture<S: Narrow>(tracer: &impl Trace<S>, camera: &Camera<S>) -> Picture {
     let raster = Raster::new(SMALL.width, SMALL.height).expect("a raster");
     let light: Vec<_> = Pixels::new(tracer, camera, raster).collect();
     // Fixed point below 256 is exact in f32, and f64 is rounded as by the engine.

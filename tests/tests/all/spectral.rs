@@ -8,7 +8,7 @@ use rta_core::needs::Everything;
 use rta_core::range::Admitted;
 use rta_core::ray::RayKind;
 use rta_core::trace::decision::Start;
-use rta_core::trace::{Observer, Tracer};
+use rta_core::trace::{Observer, Trace, Tracer};
 use rta_core::vector::{UnitVec3, Vector};
 use rta_scenes::description::Description;
 use rta_scenes::narrow::{Narrow, narrow};

@@ -5,9 +5,9 @@ use rta_core::needs::Everything;
 use rta_core::raster::{Pixels, Raster};
 use rta_core::sampling::{Center, Places, Sampling};
 use rta_core::scalar::Unit;
-use rta_core::trace::Observer;
+use rta_core::trace::{Observer, Trace};
 use rta_scenes::narrow::Narrowed;
-use rta_scenes::shading::{AnyTracer, Wavelengths};
+use rta_scenes::shading::{AnySpectrum, Wavelengths};
 
 use super::{Format, MAX_DEPTH, Picture, PutRow, Ready, Setup};
 use crate::cache::ShadowCache;
@@ -19,7 +19,7 @@ pub(super) struct Spectral<S: Format> {
     pub(super) wavelengths: Wavelengths<S>,
 }
 
-type Traced<'t, 'a, S> = AnyTracer<'t, S, Everything, { MAX_DEPTH as usize }, &'a Packets>;
+type Traced<'t, 'a, S> = AnySpectrum<'t, S, Everything, { MAX_DEPTH as usize }, &'a Packets>;
 
 impl<S: Format> Spectral<S> {
     /// Returns what `draw` makes of the tracer of the picture.

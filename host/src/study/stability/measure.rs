@@ -5,9 +5,8 @@ use rta_core::Scalar;
 use rta_core::color::Rgb;
 use rta_core::needs::Everything;
 use rta_core::range::Admitted;
-use rta_core::trace::Tracer;
+use rta_core::trace::{Trace, Tracer};
 use rta_core::vector::{UnitVec3, Vector};
-use rta_packets::picture::OneWavelength;
 use rta_packets::tally::Tally;
 use rta_scenes::description::Description;
 use rta_scenes::in_format;
@@ -121,7 +120,7 @@ fn difference(got: Rgb<f32>, want: Rgb<f32>) -> Option<f64> {
 }
 
 /// A tracer in one format, for any illumination model.
-type AnyTracer<'a, S> = Tracer<'a, S, AnyModel<S>, OneWavelength, { MAX_DEPTH as usize }>;
+type AnyTracer<'a, S> = Tracer<'a, S, AnyModel<S>, Everything, { MAX_DEPTH as usize }>;
 
 /// A scene in one format with a tracer for each of the models that take turns (see [`stability`](super)).
 struct Side<'a, S: Scalar> {

@@ -5,13 +5,10 @@
 pub mod console;
 pub mod stream;
 
-use rta_core::accelerator::Accelerator;
 use rta_core::color::Rgb;
-use rta_core::illumination::Illumination;
-use rta_core::needs::Needs as _;
 use rta_core::raster::lattice::Lattice;
 use rta_core::raster::{Pixels, Raster};
-use rta_core::trace::{Spectrum, Tracer};
+use rta_core::trace::{Spectrum, Trace, Tracer};
 use rta_drivers::checksum::{Checksum, Unseen};
 use rta_drivers::display::{Capabilities, Display};
 use rta_drivers::dither::{Cell, Damped, Diffusion, Dither};
@@ -101,6 +98,9 @@ pub fn checksum<T: ColorTable>(table: T) -> u64 {
     }
 }
 
+/// Whether the picture is one of several wavelengths.
+const SPECTRAL: bool = !scene::WEIGHTS.is_empty();
+
 /// The tracer of the baked scene with its model, by whichever accelerator it has.
 type Traced<'a, M, A> = Tracer<'a, scene::Number, M, Needs, { DEPTH as usize }, A>;
 
@@ -115,23 +115,23 @@ fn draw_sized<D: Display, T: ColorTable>(
     let scene = if BAKED { &scene::SCENE } else { core::hint::black_box(&scene::SCENE) };
     let [model, further @ ..] = scene::models();
     let tracer: Traced<'_, _, _> = Tracer::new(scene, model, DEPTH.into()).map_err(DrawError::Tracer)?;
-    if Needs::SPECTRUM {
+    if SPECTRAL {
         let mut scenes = scene::FURTHER.iter();
         let further = further.map(|model| {
             let scene = scenes.next().unwrap_or(scene);
             Tracer::new(scene, model, DEPTH.into()).unwrap_or(tracer)
         });
         let (weights, dispersive) = (&scene::WEIGHTS[..], &scene::DISPERSIVE[..]);
-        let spectrum = Spectrum { weights, further: &further, dispersive };
-        return traced(&tracer.with_spectrum(&spectrum), raster, (display, table), origin, row);
+        let spectrum = Spectrum { weights, first: tracer, further: &further, dispersive };
+        return traced(&spectrum, raster, (display, table), origin, row);
     }
     traced(&tracer, raster, (display, table), origin, row)
 }
 
 /// Draws the picture of a tracer.
 #[inline(always)] // it has one caller in a program
-fn traced<D: Display, T: ColorTable, M: Illumination<scene::Number>, A: Accelerator<scene::Number>>(
-    tracer: &Traced<'_, M, A>,
+fn traced<D: Display, T: ColorTable>(
+    tracer: &impl Trace<scene::Number>,
     raster: Raster,
     (display, table): (D, T),
     origin: (u32, u32),
@@ -155,8 +155,8 @@ fn traced<D: Display, T: ColorTable, M: Illumination<scene::Number>, A: Accelera
 /// Makes a palette for the picture on a display, from samples of it.
 // By itself, so that the samples' memory is free again when the picture is drawn.
 #[inline(never)]
-fn palette<M: Illumination<scene::Number>, A: Accelerator<scene::Number>>(
-    tracer: &Traced<'_, M, A>,
+fn palette(
+    tracer: &impl Trace<scene::Number>,
     raster: Raster,
     display: Capabilities,
 ) -> Result<Palette, TableError> {
@@ -167,14 +167,8 @@ fn palette<M: Illumination<scene::Number>, A: Accelerator<scene::Number>>(
     variance_cut(&mut memory, light, lattice.grid().width(), display.colors, display.gun_max)
 }
 
-fn paint<
-    D: Display,
-    T: ColorTable,
-    H: Dither,
-    M: Illumination<scene::Number>,
-    A: Accelerator<scene::Number>,
->(
-    tracer: &Traced<'_, M, A>,
+fn paint<D: Display, T: ColorTable, H: Dither>(
+    tracer: &impl Trace<scene::Number>,
     raster: Raster,
     mut painter: Painter<D, T, H>,
     (left, top): (u32, u32),
