@@ -4,7 +4,7 @@ use super::decision::{Branch, Start, branch, mirrored_sky, refract, secondary};
 use super::{Observer, Pending, Stack, Tracer};
 use crate::accelerator::Accelerator;
 use crate::color::Rgb;
-use crate::illumination::{Illumination, Secondary, Weight};
+use crate::illumination::{Illumination, Weight};
 use crate::material::Glass;
 use crate::needs::Needs;
 use crate::scalar::Scalar;
@@ -30,7 +30,7 @@ impl<S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Accelerator
         if N::MESHES && surface.mesh.is_some() {
             return self.spawn_of_mesh(surface, parent, sum, observer);
         }
-        self.spawn_by(self.model.secondary::<N>(surface), surface, parent, sum, observer)
+        self.spawn_by::<O, false>(surface, parent, sum, observer)
     }
 
     /// Spawns the secondary rays of a point of a mesh.
@@ -42,19 +42,23 @@ impl<S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Accelerator
         sum: Sum<S, M::Weight, STACK>,
         observer: &mut O,
     ) -> Option<Pending<S, M::Weight>> {
-        self.spawn_by(secondary::<S, M, N>(&self.model, surface), surface, parent, sum, observer)
+        self.spawn_by::<O, true>(surface, parent, sum, observer)
     }
 
-    /// Spawns the secondary rays of a surface with the weights `secondary`.
+    /// Spawns the secondary rays of a surface that is a point of a mesh or not: two functions, so that all of the second is inlined.
     #[cfg_attr(not(target_os = "none"), inline(always))]
-    fn spawn_by<O: Observer<S> + ?Sized>(
+    fn spawn_by<O: Observer<S> + ?Sized, const MESH: bool>(
         &self,
-        secondary: Secondary<M::Weight>,
         surface: &Surface<S>,
         parent: &Pending<S, M::Weight>,
         (pending, light): Sum<S, M::Weight, STACK>,
         observer: &mut O,
     ) -> Option<Pending<S, M::Weight>> {
+        let secondary = if MESH {
+            secondary::<S, M, N>(&self.model, surface)
+        } else {
+            self.model.secondary::<N>(surface)
+        };
         let start = |direction, leaves: bool| {
             let (side, direction) = (surface.side::<N>(), surface.fold::<N>(direction, leaves));
             let (origin, _) =
