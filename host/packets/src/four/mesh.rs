@@ -6,7 +6,7 @@ use rta_core::color::Rgb;
 use rta_core::illumination::Illumination;
 use rta_core::light::Lamp;
 use rta_core::needs::Needs;
-use rta_core::trace::decision::casts_shadow_ray;
+use rta_core::trace::decision::{can_light, casts_shadow_ray};
 
 use super::geometry::Ray4;
 use super::trace::{Rays4, Traced, Trees4};
@@ -45,8 +45,7 @@ impl<'a, M: Illumination<f32>, const STACK: usize> Trees4<'a, M, STACK> {
         let (_, model, ..) = tracer.parts();
         let mut shadowed = 0;
         for k in Bits(meshes) {
-            let is_asked = M::BOTH_SIDES || (M::REFRACTS_LAMPS && self.surfaces.inside.test(k & 3));
-            if behind >> k & 1 == 1 && !is_asked {
+            if !can_light::<f32, M>(self.surfaces.inside.test(k & 3), || behind >> k & 1 == 1) {
                 continue;
             }
             if let Some(aspects) = self.surfaces.aspects::<N>(rays, k) {
