@@ -6,7 +6,7 @@ use rta_core::color::Rgb;
 use rta_core::illumination::Illumination;
 use rta_core::light::Lamp;
 use rta_core::needs::Needs;
-use rta_core::trace::decision::{can_light, casts_shadow_ray};
+use rta_core::trace::decision::casts_shadow_ray;
 
 use super::geometry::Ray4;
 use super::trace::{Rays4, Traced, Trees4};
@@ -31,23 +31,19 @@ impl<'a, M: Illumination<f32>, const STACK: usize> Trees4<'a, M, STACK> {
         }
     }
 
-    /// Computes what meshes send back of a lamp, of those in `meshes`, and returns which of them cast a shadow ray. The lamp is behind those
-    /// in `behind`.
+    /// Computes what meshes send back of a lamp, of those in `meshes`, and returns which of them cast a shadow ray.
     #[inline(never)]
     pub(super) fn mesh_direct<N: Needs>(
         &self,
         tracer: &Traced<'a, M, N, STACK>,
         lamp: &Lamp<f32>,
         rays: &Ray4,
-        (meshes, behind): (u32, u32),
+        meshes: u32,
         (unhidden, lights): (&mut [Rgb<f32>; 4], &mut [Rgb<f32>; 4]),
     ) -> u32 {
         let (_, model, ..) = tracer.parts();
         let mut shadowed = 0;
         for k in Bits(meshes) {
-            if !can_light::<f32, M>(self.surfaces.inside.test(k & 3), || behind >> k & 1 == 1) {
-                continue;
-            }
             if let Some(aspects) = self.surfaces.aspects::<N>(rays, k) {
                 let light = aspects.direct::<M, N>(model, lamp);
                 if casts_shadow_ray::<N, _>(light) {
