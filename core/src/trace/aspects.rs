@@ -13,7 +13,13 @@ use crate::texture::{Mesh, Shading, bishop_weimer, gouraud};
 /// lamps shine [into](Illumination::REFRACTS_LAMPS) a material.
 #[inline]
 pub fn is_lit<S: Scalar, M: Illumination<S>, N: Needs>(surface: &Surface<S>, incident: &Incident<S>) -> bool {
-    M::BOTH_SIDES || (M::REFRACTS_LAMPS && surface.inside) || !surface.is_behind::<N>(incident)
+    can_light::<S, M>(surface.inside, || surface.is_behind::<N>(incident))
+}
+
+/// Returns whether a lamp can light a surface that is seen from inside or not, if `is_behind` says whether it is behind: see [`is_lit`].
+#[inline]
+pub fn can_light<S: Scalar, M: Illumination<S>>(inside: bool, is_behind: impl FnOnce() -> bool) -> bool {
+    M::BOTH_SIDES || (M::REFRACTS_LAMPS && inside) || !is_behind()
 }
 
 /// The surfaces whose light a point of a mesh sends back.

@@ -2,7 +2,7 @@
 //!
 //! The decisions are apart from the computation of directions, so that a tracer of several rays side by side shares them.
 
-pub use super::aspects::{Aspects, is_lit};
+pub use super::aspects::{Aspects, can_light, is_lit};
 use crate::color::Rgb;
 use crate::illumination::{Bend, Illumination, Secondary, Weight};
 use crate::light::Incident;

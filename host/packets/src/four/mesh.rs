@@ -31,24 +31,19 @@ impl<'a, M: Illumination<f32>, const STACK: usize> Trees4<'a, M, STACK> {
         }
     }
 
-    /// Computes what meshes send back of a lamp, of those in `meshes`, and returns which of them cast a shadow ray. The lamp is behind those
-    /// in `behind`.
+    /// Computes what meshes send back of a lamp, of those in `meshes`, and returns which of them cast a shadow ray.
     #[inline(never)]
     pub(super) fn mesh_direct<N: Needs>(
         &self,
         tracer: &Traced<'a, M, N, STACK>,
         lamp: &Lamp<f32>,
         rays: &Ray4,
-        (meshes, behind): (u32, u32),
+        meshes: u32,
         (unhidden, lights): (&mut [Rgb<f32>; 4], &mut [Rgb<f32>; 4]),
     ) -> u32 {
         let (_, model, ..) = tracer.parts();
         let mut shadowed = 0;
         for k in Bits(meshes) {
-            let is_asked = M::BOTH_SIDES || (M::REFRACTS_LAMPS && self.surfaces.inside.test(k & 3));
-            if behind >> k & 1 == 1 && !is_asked {
-                continue;
-            }
             if let Some(aspects) = self.surfaces.aspects::<N>(rays, k) {
                 let light = aspects.direct::<M, N>(model, lamp);
                 if casts_shadow_ray::<N, _>(light) {

@@ -9,7 +9,7 @@ use rta_core::ray::RayKind;
 use rta_core::scene::{Floor, Hit, Object, PLAIN, Scene};
 use rta_core::surface::Surface;
 use rta_core::texture::Mesh;
-use rta_core::trace::decision::Aspects;
+use rta_core::trace::decision::{Aspects, can_light};
 use rta_core::world::{Seen, World};
 
 use super::closest::Hits4;
@@ -120,6 +120,15 @@ impl<'a> Surfaces4<'a> {
         } else {
             behind
         }
+    }
+
+    /// Returns which of four surfaces a lamp can light, which is behind those in `behind`: four times
+    /// [`is_lit`](rta_core::trace::decision::is_lit). Bits from the fifth on mean nothing.
+    #[inline(always)]
+    pub(crate) fn are_lit<M: Illumination<f32>>(&self, behind: BVec4A) -> u32 {
+        let (behind, inside) = (behind.bitmask(), self.inside.bitmask());
+        let through = |which, inside| if can_light::<f32, M>(inside, || true) { which } else { 0 };
+        !behind | through(inside, true) | through(!inside, false)
     }
 
     /// Returns the secondary rays of the directions, on the side of the normals where they leave: four times [`Surface::fold`].

@@ -9,7 +9,7 @@ use rta_core::illumination::{Illumination, Passage, Way, Weight};
 use rta_core::light::{Incident, Lamp};
 use rta_core::material::Glass;
 use rta_core::needs::Needs;
-use rta_core::trace::decision::{Branch, Start, branch, casts_shadow_ray, direct, mirrored_sky};
+use rta_core::trace::decision::{Branch, Start, branch, casts_shadow_ray, mirrored_sky};
 use rta_core::trace::{Pending, Stack, Tracer};
 
 use super::geometry::{Ray4, leave, normalize, reflect, refract};
@@ -159,16 +159,11 @@ impl<'a, M: Illumination<f32>, const STACK: usize> Trees4<'a, M, STACK> {
         let (direction, distance, inverse, none) = normalize(Vec3x4::splat(lamp.position) - spot.point);
         let cosine = spot.normal.dot(direction);
         let behind = self.surfaces.are_behind::<N>(direction, cosine);
-        let mut lit = lit & !none;
+        let lit = lit & !none & self.surfaces.are_lit::<M>(behind);
         let meshes = if N::MESHES { lit & self.surfaces.meshed } else { 0 };
-        lit &= !meshes;
-        if !M::BOTH_SIDES && !M::REFRACTS_LAMPS {
-            // Darkness, as `direct` would say.
-            lit &= !behind.bitmask();
-        }
         let mut unhidden = [Rgb::BLACK; 4];
         let mut shadowed = 0;
-        for k in Bits(lit) {
+        for k in Bits(lit & !meshes) {
             let incident = Incident {
                 direction: direction.lane(k),
                 distance: lane(&distance, k),
@@ -176,7 +171,7 @@ impl<'a, M: Illumination<f32>, const STACK: usize> Trees4<'a, M, STACK> {
                 cosine: lane(&cosine, k),
                 lamp,
             };
-            let light = direct::<f32, M, N>(model, &self.surfaces.surface(rays, k), &incident);
+            let light = model.direct::<N>(&self.surfaces.surface(rays, k), &incident);
             if casts_shadow_ray::<N, _>(light) {
                 *one_mut(&mut unhidden, k) = light;
                 shadowed |= 1 << k;
@@ -187,7 +182,7 @@ impl<'a, M: Illumination<f32>, const STACK: usize> Trees4<'a, M, STACK> {
         }
         if N::MESHES && meshes != 0 {
             let lights = (&mut unhidden, &mut *lights);
-            shadowed |= self.mesh_direct::<N>(tracer, lamp, rays, (meshes, behind.bitmask()), lights);
+            shadowed |= self.mesh_direct::<N>(tracer, lamp, rays, meshes, lights);
         }
         if shadowed != 0 {
             let side = self.surfaces.sides::<N>();
