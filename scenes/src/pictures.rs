@@ -1,18 +1,34 @@
 //! Picture files: textures of objects, and the sky.
 
 use core::fmt;
+#[cfg(feature = "images")]
+use core::panic::AssertUnwindSafe;
 use std::collections::btree_map::Entry;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
+#[cfg(feature = "images")]
+use std::{
+    fs::File,
+    io::{self, BufRead, BufReader, Cursor, Seek},
+    panic::catch_unwind,
+};
+
+#[cfg(feature = "images")]
+use image::{DynamicImage, ImageDecoder, ImageError, ImageFormat, ImageReader, Limits, RgbImage};
 
 use crate::description::{Description, Pattern, Pixels};
 
 /// Sides of the largest picture that is decoded, in pixels.
 pub const LARGEST_SIDE: u32 = 8192;
 
-/// Memory that decoding a picture may take, in bytes.
+/// Memory that decoding may take for each pixel of the largest picture, in bytes: four parts of 16 bits, 512 MiB in all.
 #[cfg(feature = "images")]
-const MEMORY: u64 = 512 << 20;
+const PIXEL_MEMORY: u64 = 8;
+
+/// What is put behind a JPEG file, a byte that ends what is before it and the mark of the end: the decoder of the version of `image` that
+/// `Cargo.lock` holds never stops at a progressive file that is cut off behind the mark of a restart.
+#[cfg(feature = "images")]
+const JPEG_END: [u8; 3] = [0, 0xff, 0xd9];
 
 /// A picture file of a scene that cannot be used.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -60,7 +76,7 @@ impl Description {
             let path = folder.join(&file);
             if let Entry::Vacant(entry) = self.details.pictures.entry(file) {
                 let failed = |reason| PictureError { path: path.clone(), line, reason };
-                entry.insert(Arc::new(decode(&path).map_err(failed)?.reduced(most)));
+                entry.insert(Arc::new(open(&path).map_err(failed)?.reduced(most)));
             }
             files.push(path);
         }
@@ -73,32 +89,69 @@ impl Description {
 }
 
 #[cfg(not(feature = "images"))]
-fn decode(_: &Path) -> Result<Pixels, String> {
+fn open(_: &Path) -> Result<Pixels, String> {
     Err("this program was built without the reader of pictures (feature `images`)".into())
 }
 
 #[cfg(feature = "images")]
-fn decode(path: &Path) -> Result<Pixels, String> {
-    let told = |error: image::ImageError| error.to_string();
-    let open = || {
-        let file = image::ImageReader::open(path).map_err(|error| error.to_string())?;
-        file.with_guessed_format().map_err(|error| error.to_string())
-    };
-    let (width, height) = open()?.into_dimensions().map_err(told)?;
-    if width.max(height) > LARGEST_SIDE {
-        return Err(format!("{width} x {height} pixels, more than {LARGEST_SIDE} on a side"));
-    }
-    if width == 0 || height == 0 {
-        return Err(format!("{width} x {height} pixels, none at all"));
-    }
-    let mut reader = open()?;
-    let mut limits = image::Limits::default();
-    limits.max_alloc = Some(MEMORY);
-    reader.limits(limits);
-    let pixels = reader.decode().map_err(told)?.into_rgb8();
+fn open(path: &Path) -> Result<Pixels, String> {
+    let file = File::open(path).map_err(|error| error.to_string())?;
+    decode(BufReader::new(file), path, LARGEST_SIDE)
+}
+
+/// Reads a picture from the bytes of a file. The format is what they begin with, or else, as a TGA file does not say what it is, the ending of
+/// `name`. Memory beside the file's own bytes, which may be held twice, is bounded by `largest`, whatever the file says of itself.
+///
+/// For the fuzz target; scenes have [`Description::load_pictures`].
+///
+/// # Errors
+/// A reason in one line: no picture, a broken one, or one without pixels or with more than `largest` on a side.
+#[cfg(feature = "images")]
+#[doc(hidden)]
+pub fn decode(file: impl BufRead + Seek, name: &Path, largest: u32) -> Result<Pixels, String> {
+    // The decoder of JPEG files panics at some broken ones, most of all in debug builds, where it checks itself more. A program whose panics
+    // abort, as those of this workspace's release builds do, ends there with the decoder's message. What a panic leaves half done is dropped.
+    let pixels = catch_unwind(AssertUnwindSafe(|| decode_colors(file, name, largest)))
+        .unwrap_or_else(|_| Err("broken in a way that its decoder does not expect".into()))?;
     let words = pixels.pixels().map(|pixel| {
         let [r, g, b] = pixel.0;
         u32::from_be_bytes([0, r, g, b])
     });
-    Ok(Pixels { width, height, words: words.collect() })
+    Ok(Pixels { width: pixels.width(), height: pixels.height(), words: words.collect() })
+}
+
+#[cfg(feature = "images")]
+fn decode_colors(file: impl BufRead + Seek, name: &Path, largest: u32) -> Result<RgbImage, String> {
+    let told = |error: ImageError| error.to_string();
+    let failed = |error: io::Error| error.to_string();
+    let mut limits = Limits::default();
+    limits.max_alloc = Some(PIXEL_MEMORY * u64::from(largest) * u64::from(largest));
+    let mut reader = ImageReader::new(file);
+    // What stands before the pixels takes memory too.
+    reader.limits(limits.clone());
+    if let Ok(format) = ImageFormat::from_path(name) {
+        reader.set_format(format);
+    }
+    let reader = reader.with_guessed_format().map_err(failed)?;
+    let mut decoder: Box<dyn ImageDecoder> = if reader.format() == Some(ImageFormat::Jpeg) {
+        let mut bytes = Vec::new();
+        reader.into_inner().read_to_end(&mut bytes).map_err(failed)?;
+        bytes.extend(JPEG_END);
+        let mut reader = ImageReader::with_format(Cursor::new(bytes), ImageFormat::Jpeg);
+        reader.limits(limits.clone());
+        Box::new(reader.into_decoder().map_err(told)?)
+    } else {
+        Box::new(reader.into_decoder().map_err(told)?)
+    };
+    let (width, height) = decoder.dimensions();
+    if width.max(height) > largest {
+        return Err(format!("{width} x {height} pixels, more than {largest} on a side"));
+    }
+    if width == 0 || height == 0 {
+        return Err(format!("{width} x {height} pixels, none at all"));
+    }
+    // The decoder has what the picture itself leaves.
+    limits.reserve(decoder.total_bytes()).map_err(told)?;
+    decoder.set_limits(limits).map_err(told)?;
+    Ok(DynamicImage::from_decoder(decoder).map_err(told)?.into_rgb8())
 }

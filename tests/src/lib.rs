@@ -7,6 +7,7 @@ pub mod boards;
 pub mod close;
 pub mod exact;
 pub mod fuzzed;
+pub mod fuzzed_picture;
 pub mod golden;
 pub mod measure;
 pub mod oracle;
