@@ -2,7 +2,8 @@
 #![forbid(unsafe_code)]
 
 use std::io::{self, Write};
-use std::process::ExitCode;
+use std::panic;
+use std::process::{self, ExitCode};
 
 use rta::args::{self, Command, ShowArgs};
 use rta::commands::show::window;
@@ -30,6 +31,7 @@ fn main() -> ExitCode {
         }
     };
     interrupt::forgo_file_limit();
+    tell_of_broken_pictures();
     match run(cli.command) {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) if error.is_broken_pipe() => ExitCode::SUCCESS,
@@ -39,6 +41,20 @@ fn main() -> ExitCode {
             complain(&format!("error: {error}\n"));
             FAILED.into()
         }
+    }
+}
+
+/// Ends the program with an error where a picture's decoder panics, in a build whose panics would abort it.
+fn tell_of_broken_pictures() {
+    if cfg!(panic = "abort") {
+        let others = panic::take_hook();
+        panic::set_hook(Box::new(move |info| match rta_scenes::pictures::decoded() {
+            Some(path) => {
+                complain(&format!("error: {}: its decoder does not expect what it holds\n", path.display()));
+                process::exit(FAILED.into());
+            }
+            None => others(info),
+        }));
     }
 }
 

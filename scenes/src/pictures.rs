@@ -2,7 +2,7 @@
 
 use core::fmt;
 #[cfg(feature = "images")]
-use core::panic::AssertUnwindSafe;
+use core::{cell::RefCell, panic::AssertUnwindSafe};
 use std::collections::btree_map::Entry;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -96,7 +96,24 @@ fn open(_: &Path) -> Result<Pixels, String> {
 #[cfg(feature = "images")]
 fn open(path: &Path) -> Result<Pixels, String> {
     let file = File::open(path).map_err(|error| error.to_string())?;
-    decode(BufReader::new(file), path, LARGEST_SIDE)
+    DECODED.replace(Some(path.to_owned()));
+    let pixels = decode(BufReader::new(file), path, LARGEST_SIDE);
+    DECODED.replace(None);
+    pixels
+}
+
+#[cfg(feature = "images")]
+std::thread_local! {
+    /// The picture file that a thread decodes.
+    static DECODED: RefCell<Option<PathBuf>> = const { RefCell::new(None) };
+}
+
+/// Returns the picture file that this thread is decoding: for the panic hook of a program whose panics abort, as broken files can make
+/// decoders panic.
+#[cfg(feature = "images")]
+#[must_use]
+pub fn decoded() -> Option<PathBuf> {
+    DECODED.try_with(|path| path.try_borrow().ok()?.clone()).ok()?
 }
 
 /// Reads a picture from the bytes of a file. The format is what they begin with, or else, as a TGA file does not say what it is, the ending of
@@ -110,7 +127,7 @@ fn open(path: &Path) -> Result<Pixels, String> {
 #[doc(hidden)]
 pub fn decode(file: impl BufRead + Seek, name: &Path, largest: u32) -> Result<Pixels, String> {
     // The decoder of JPEG files panics at some broken ones, most of all in debug builds, where it checks itself more. A program whose panics
-    // abort, as those of this workspace's release builds do, ends there with the decoder's message. What a panic leaves half done is dropped.
+    // abort, as those of this workspace's release builds do, ends there: its panic hook can ask for [`decoded`]. What a panic leaves half done is dropped.
     let pixels = catch_unwind(AssertUnwindSafe(|| decode_colors(file, name, largest)))
         .unwrap_or_else(|_| Err("broken in a way that its decoder does not expect".into()))?;
     let words = pixels.pixels().map(|pixel| {
