@@ -11,6 +11,7 @@ use rta_core::illumination::air::Through;
 use rta_core::illumination::table::Tabled;
 use rta_core::illumination::{Illumination, Passage, Secondary, Way};
 use rta_core::light::Incident;
+use rta_core::material;
 use rta_core::needs::{Everything, Needs};
 use rta_core::range::Admitted;
 use rta_core::scalar::Unit;
@@ -40,7 +41,7 @@ trait Shading<S: Scalar>: Send + Sync {
     fn along(&self, way: &Way<S>, lit: Lit<S>) -> Option<Passage<S, Rgb<S::Unit>>>;
     /// Returns what the model draws of the materials of a scene, in the order of their numbers, as text: what prints alike is alike, as
     /// numbers print exactly.
-    fn drawn(&self, materials: &[rta_core::material::Material<S>]) -> Vec<String>;
+    fn drawn(&self, materials: &[material::Material<S>]) -> Vec<String>;
 }
 
 /// A model and the rows that it needs of a scene's materials.
@@ -74,8 +75,8 @@ impl<S: Scalar, M: Tabled<S>> Shading<S> for Owned<S, M> {
         self.model.over(&self.rows).along::<Everything>(way, lit).map(Passage::registers)
     }
 
-    fn drawn(&self, materials: &[rta_core::material::Material<S>]) -> Vec<String> {
-        let glass = |material: &rta_core::material::Material<S>| {
+    fn drawn(&self, materials: &[material::Material<S>]) -> Vec<String> {
+        let glass = |material: &material::Material<S>| {
             material.glass::<Everything>().filter(|_| M::REFRACTS).copied()
         };
         materials.iter().map(glass).zip(&self.rows).map(|drawn| format!("{drawn:?}")).collect()

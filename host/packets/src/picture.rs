@@ -175,18 +175,25 @@ macro_rules! formats {
                 model: Model,
                 setup: &Setup,
             ) -> Result<Box<dyn Picture<Self>>, PictureError> {
-                let ready = Ready::<$f>::new(scene, setup)?;
-                let any = Wavelengths::new(model, &scene.air, &ready.scene, ready.limits);
-                if any.is_dispersive() {
-                    return Ok(Box::new(Spectral { ready, wavelengths: any }));
+                let (ready, air) = (Ready::<$f>::new(scene, setup)?, &scene.air);
+                let limits = ready.limits;
+                let any = |scene: &_| Wavelengths::new(model, air, scene, limits);
+                if ready.scene.spectrum.is_some() {
+                    let wavelengths = any(&ready.scene);
+                    if wavelengths.is_dispersive() {
+                        return Ok(Box::new(Spectral { ready, wavelengths }));
+                    }
                 }
-                let is_clear = scene.air == Air::default();
+                let is_clear = *air == Air::default();
                 Ok(match model {
                     // The pictures that are drawn most have a tracer of their own.
                     Model::Rta if is_clear => Box::new(Modelled { ready, model: Rta }),
                     Model::Whitted if is_clear => Box::new(Modelled { ready, model: Whitted::default() }),
                     Model::Phong if is_clear => Box::new(Modelled { ready, model: Phong::default() }),
-                    _ => Box::new(Modelled { ready, model: any.into_first() }),
+                    _ => {
+                        let model = any(&ready.scene).into_first();
+                        Box::new(Modelled { ready, model })
+                    }
                 })
             }
         })*
