@@ -11,7 +11,7 @@ use rta_core::needs::Everything;
 use rta_core::range::Admitted;
 use rta_core::raster::Raster;
 use rta_core::raster::lattice::Lattice;
-use rta_core::sampling::{Center, Places, Sampling};
+use rta_core::sampling::{Places, Sampling};
 use rta_core::scalar::Unit;
 use rta_core::scene::Limits;
 use rta_core::trace::{Observer, Trace, Tracer};
@@ -250,7 +250,7 @@ impl<S: Format, M: Illumination<S> + Clone> Modelled<S, M> {
     }
 
     /// Calls `put` with each of the rows `range` of the picture on `raster`, with samples at `places`.
-    fn traced(&self, raster: Raster, places: impl Places, range: (u32, u32), put: PutRow<S>) {
+    fn traced(&self, raster: Raster, places: Sampling, range: (u32, u32), put: PutRow<S>) {
         // There is a tracer: the depth was checked when the picture was made ready.
         let admitted = self.ready.admitted();
         let Some(tracer) = self.tracer(&admitted) else { return };
@@ -269,15 +269,11 @@ impl<S: Format, M: Illumination<S> + Clone> Modelled<S, M> {
 impl<S: Format, M: Illumination<S> + Clone> Picture<S> for Modelled<S, M> {
     fn rows(&self, first: u32, end: u32, put: PutRow<S>) {
         let Setup { raster, sampling, .. } = self.ready.setup;
-        if sampling == Sampling::CENTER {
-            self.traced(raster, Center, (first, end), put);
-        } else {
-            self.traced(raster, sampling, (first, end), put);
-        }
+        self.traced(raster, sampling, (first, end), put);
     }
 
     fn preview_rows(&self, raster: Raster, first: u32, end: u32, put: PutRow<S>) {
-        self.traced(raster, Center, (first, end), put);
+        self.traced(raster, Sampling::CENTER, (first, end), put);
     }
 
     fn sample(

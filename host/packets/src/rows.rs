@@ -6,7 +6,7 @@ use rta_core::color::Rgb;
 use rta_core::illumination::Illumination;
 use rta_core::needs::Needs;
 use rta_core::raster::{Pixels, Raster};
-use rta_core::sampling::Places;
+use rta_core::sampling::{Center, Places, Sampling};
 use rta_core::trace::Tracer;
 
 use crate::four::geometry::through_plane;
@@ -21,11 +21,11 @@ pub trait Rows: ToF32 {
     fn trace_rows<'a, M: Illumination<Self>, N: Needs, const STACK: usize>(
         tracer: &Tracer<'a, Self, M, N, STACK, &'a Packets>,
         camera: &Camera<Self>,
-        (raster, places): (Raster, impl Places),
+        (raster, sampling): (Raster, Sampling),
         (first, end): (u32, u32),
         put: impl FnMut(Rgb<Self::Light>),
     ) {
-        Pixels::sampled(tracer, camera, raster, places, first, end).for_each(put);
+        Pixels::sampled(tracer, camera, raster, sampling, first, end).for_each(put);
     }
 }
 
@@ -38,15 +38,17 @@ impl Rows for f32 {
     fn trace_rows<'a, M: Illumination<f32>, N: Needs, const STACK: usize>(
         tracer: &Tracer<'a, f32, M, N, STACK, &'a Packets>,
         camera: &Camera<f32>,
-        (raster, places): (Raster, impl Places),
+        (raster, sampling): (Raster, Sampling),
         (first, end): (u32, u32),
         mut put: impl FnMut(Rgb<f32>),
     ) {
         let mut trees = Trees4::new();
-        let samples = places.samples();
+        let samples = sampling.samples();
+        // The same places and the same light either way; this one is quicker (5 % of the instructions of a simple scene).
+        let is_center = sampling == Sampling::CENTER;
         let (mut sum, mut summed) = (Rgb::BLACK, 0);
         for y in first..end.min(raster.height()) {
-            let row = places.row::<f32>(raster, y);
+            let (row, middle) = (sampling.row::<f32>(raster, y), Center.row::<f32>(raster, y));
             let (mut x, mut sample) = (0, 0);
             while x < raster.width() {
                 let (mut right, mut up) = (Vec4::ZERO, Vec4::ZERO);
@@ -55,11 +57,16 @@ impl Rows for f32 {
                 let mut place = (0.0, 0.0);
                 for k in 0..4 {
                     if x < raster.width() {
-                        place = places.place::<f32>(raster, row, x, sample);
                         count += 1;
-                        sample += 1;
-                        if sample == samples {
-                            (x, sample) = (x + 1, 0);
+                        if is_center {
+                            place = Center.place::<f32>(raster, middle, x, 0);
+                            x += 1;
+                        } else {
+                            place = sampling.place::<f32>(raster, row, x, sample);
+                            sample += 1;
+                            if sample == samples {
+                                (x, sample) = (x + 1, 0);
+                            }
                         }
                     }
                     (right[k], up[k]) = place;
@@ -67,10 +74,14 @@ impl Rows for f32 {
                 let directions = through_plane(camera.forward, camera.right, camera.up, right, up);
                 let lights = trees.radiance(tracer, camera.eye, directions, count);
                 for (light, _) in lights.into_iter().zip(0..count) {
-                    sum = places.add(sum, light);
+                    if is_center {
+                        put(light);
+                        continue;
+                    }
+                    sum = sampling.add(sum, light);
                     summed += 1;
                     if summed == samples {
-                        put(places.mean(sum));
+                        put(sampling.mean(sum));
                         (sum, summed) = (Rgb::BLACK, 0);
                     }
                 }

@@ -3,7 +3,7 @@
 use rta_core::color::Rgb;
 use rta_core::needs::Everything;
 use rta_core::raster::{Pixels, Raster};
-use rta_core::sampling::{Center, Places, Sampling};
+use rta_core::sampling::Sampling;
 use rta_core::scalar::Unit;
 use rta_core::trace::{Observer, Trace};
 use rta_scenes::narrow::Narrowed;
@@ -31,7 +31,7 @@ impl<S: Format> Spectral<S> {
         self.wavelengths.with_tracer(&self.ready.scene, &admitted, (depth, cutoff), draw).ok()
     }
 
-    fn traced(&self, raster: Raster, places: impl Places, (first, end): (u32, u32), put: PutRow<S>) {
+    fn traced(&self, raster: Raster, places: Sampling, (first, end): (u32, u32), put: PutRow<S>) {
         let camera = &self.ready.scene.camera;
         self.with_tracer(|tracer| {
             for y in first..end.min(raster.height()) {
@@ -45,15 +45,11 @@ impl<S: Format> Spectral<S> {
 impl<S: Format> Picture<S> for Spectral<S> {
     fn rows(&self, first: u32, end: u32, put: PutRow<S>) {
         let Setup { raster, sampling, .. } = self.ready.setup;
-        if sampling == Sampling::CENTER {
-            self.traced(raster, Center, (first, end), put);
-        } else {
-            self.traced(raster, sampling, (first, end), put);
-        }
+        self.traced(raster, sampling, (first, end), put);
     }
 
     fn preview_rows(&self, raster: Raster, first: u32, end: u32, put: PutRow<S>) {
-        self.traced(raster, Center, (first, end), put);
+        self.traced(raster, Sampling::CENTER, (first, end), put);
     }
 
     fn sample(
