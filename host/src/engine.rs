@@ -24,12 +24,11 @@ use probe::Probe;
 pub mod admission;
 pub mod bands;
 pub mod callgrind;
-pub mod cutoff;
 pub mod interrupt;
 pub mod probe;
 pub mod progress;
 
-pub use cutoff::Cutoff;
+pub use rta_args::value::cutoff::{self, Cutoff};
 pub use rta_packets::picture::{MAX_DEPTH, PictureError as EngineError};
 pub use rta_scenes::{Format, Model};
 

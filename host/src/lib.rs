@@ -18,13 +18,14 @@
 //! in a picture file with 8 bits a register.
 #![forbid(unsafe_code)]
 
-pub mod args;
 pub mod commands;
 pub mod engine;
 pub mod error;
 pub mod picture;
 pub mod request;
 pub mod study;
+
+pub use rta_args as args;
 
 // Short paths to what tests and benchmarks use.
 pub use commands::{render, show};

@@ -2,8 +2,9 @@
 
 pub mod error;
 pub mod fit;
-pub mod sampling;
 pub mod scene_file;
+
+pub use rta_args::value::sampling;
 
 use rta_core::sampling::{Places, Sampling};
 use rta_scenes::description::Settings;
@@ -49,48 +50,53 @@ pub struct Request {
     pub fit: bool,
 }
 
-impl TracingArgs {
-    /// Returns the request of these arguments for a picture on `target`, before the scene is known: with the thesis's model where
-    /// they name none.
-    #[must_use]
-    pub fn request(&self, target: Target) -> Request {
-        let Self { format, size, aspect, fit, .. } = *self;
-        let (depth, cutoff) = (self.depth.unwrap_or(DEPTH), self.cutoff);
-        let coloring = self.coloring(target);
-        let model = self.model.unwrap_or(Model::Rta);
-        let sampling = self.samples.unwrap_or(Samples::ONE).sampling(self.jitter);
-        Request { target, coloring, format, model, depth, cutoff, sampling, size, aspect, fit }
-    }
-
-    /// Returns the colour table and the dithering: those that look best on the device, unless others are asked for. A table that is asked
-    /// for is not dithered by itself.
-    fn coloring(&self, target: Target) -> Coloring {
-        let best = Coloring::of(target.device().unwrap_or(Device::Vga));
-        let table = self.table.unwrap_or(best.table);
-        let dither = if table == best.table { best.dither } else { DitherKind::None };
-        Coloring { table, dither: self.dither.unwrap_or(dither), samples: self.table_samples }
-    }
-
-    /// Returns the request of these arguments for a picture of `scene` on `target`: where they leave something open, it is as the
-    /// scene has it.
-    ///
-    /// # Errors
-    /// [`RequestError::TableWithoutDevice`], and those of [`Request::for_scene`].
-    pub fn request_for(&self, target: Target, scene: &SceneFile) -> Result<Request, RequestError> {
-        if target == Target::None && (self.table.is_some() || self.dither.is_some()) {
-            return Err(RequestError::TableWithoutDevice);
-        }
-        let request = self.request(target).for_scene(self.model, scene)?;
-        let Settings { depth, cutoff, samples, .. } = scene.description.settings;
-        let depth = self.depth.or(depth).map_or(request.depth, |depth| depth.min(MAX_DEPTH));
-        let cutoff = self.cutoff.or(cutoff.map(Cutoff::nearest));
-        let samples = self.samples.or(samples.and_then(Samples::of));
-        let sampling = samples.map_or(request.sampling, |samples| samples.sampling(self.jitter));
-        Ok(Request { depth, cutoff, sampling, ..request })
-    }
+/// Returns the colour table and the dithering that are asked for: those that look best on the device, unless others are. A table
+/// that is asked for is not dithered by itself.
+fn coloring(asked: &TracingArgs, target: Target) -> Coloring {
+    let best = Coloring::of(target.device().unwrap_or(Device::Vga));
+    let table = asked.table.unwrap_or(best.table);
+    let dither = if table == best.table { best.dither } else { DitherKind::None };
+    Coloring { table, dither: asked.dither.unwrap_or(dither), samples: asked.table_samples }
 }
 
 impl Request {
+    /// Returns the request of a command's arguments for a picture on `target`, before the scene is known: with the thesis's model
+    /// where they name none.
+    #[must_use]
+    pub fn of(asked: &TracingArgs, target: Target) -> Self {
+        let TracingArgs { format, size, aspect, fit, cutoff, .. } = *asked;
+        Self {
+            target,
+            coloring: coloring(asked, target),
+            format,
+            model: asked.model.unwrap_or(Model::Rta),
+            depth: asked.depth.unwrap_or(DEPTH),
+            cutoff,
+            sampling: asked.samples.unwrap_or(Samples::ONE).sampling(asked.jitter),
+            size,
+            aspect,
+            fit,
+        }
+    }
+
+    /// Returns the request of a command's arguments for a picture of `scene` on `target`: where they leave something open, it is as
+    /// the scene has it.
+    ///
+    /// # Errors
+    /// [`RequestError::TableWithoutDevice`], and those of [`Request::for_scene`].
+    pub fn of_scene(asked: &TracingArgs, target: Target, scene: &SceneFile) -> Result<Self, RequestError> {
+        if target == Target::None && (asked.table.is_some() || asked.dither.is_some()) {
+            return Err(RequestError::TableWithoutDevice);
+        }
+        let request = Self::of(asked, target).for_scene(asked.model, scene)?;
+        let Settings { depth, cutoff, samples, .. } = scene.description.settings;
+        let depth = asked.depth.or(depth).map_or(request.depth, |depth| depth.min(MAX_DEPTH));
+        let cutoff = asked.cutoff.or(cutoff.map(Cutoff::nearest));
+        let samples = asked.samples.or(samples.and_then(Samples::of));
+        let sampling = samples.map_or(request.sampling, |samples| samples.sampling(asked.jitter));
+        Ok(Self { depth, cutoff, sampling, ..request })
+    }
+
     /// Completes the request for a scene. The model is the one that was `asked` for, else the one that the scene was made for;
     /// where neither the request nor a device states a size, it is the scene's, and so is the shape of the screen; where the scene
     /// states none, its pixels are square.
@@ -201,7 +207,7 @@ mod tests {
     fn request(target: Target, size: Option<&str>, aspect: Option<&str>) -> Request {
         let size = size.map(|text| text.parse().expect("a size"));
         let aspect = aspect.map(|text| text.parse().expect("an aspect"));
-        Request { size, aspect, ..ShowArgs::default().tracing.request(target) }
+        Request { size, aspect, ..Request::of(&ShowArgs::default().tracing, target) }
     }
 
     #[test]
@@ -254,7 +260,7 @@ mod tests {
         ];
         for (device, table, dither, want_table, want_dither) in cases {
             let args = TracingArgs { table, dither, ..TracingArgs::default() };
-            let coloring = args.request(Target::On(device)).coloring;
+            let coloring = Request::of(&args, Target::On(device)).coloring;
             assert_eq!((coloring.table, coloring.dither), (want_table, want_dither), "{device}");
         }
     }

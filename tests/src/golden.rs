@@ -92,7 +92,7 @@ pub fn request(device: Device, format: Format) -> Request {
         depth: 5,
         size: None,
         aspect: None,
-        ..ShowArgs::default().tracing.request(Target::On(device))
+        ..Request::of(&ShowArgs::default().tracing, Target::On(device))
     }
 }
 

@@ -62,7 +62,7 @@ fn palette(
     let aspect = Some(args.aspect);
     let BakeArgs { format, size, .. } = *args;
     let asked = TracingArgs { format, size, aspect, model: Some(model), ..TracingArgs::default() };
-    let request = Request { coloring, ..asked.request(Target::On(device)) };
+    let request = Request { coloring, ..Request::of(&asked, Target::On(device)) };
     let levels = Work::new(&request, scene, None, stop)?.quiet(true).palette(device)?;
     let gun_max = device.capabilities().gun_max;
     let mut source = format!(

@@ -16,6 +16,7 @@ use crate::error::Error;
 use crate::picture::device::Target;
 use crate::picture::output;
 use crate::picture::raster::Size;
+use crate::request::Request;
 use crate::request::scene_file::SceneFile;
 use crate::study::trail::{self, lock_step, picture};
 
@@ -74,9 +75,9 @@ fn reference(settings: &Settings) -> Settings {
 /// [`Error::PixelOutside`], and those of reading the scene, making it ready and writing to standard output.
 pub fn run(args: &ExplainArgs) -> Result<(), Error> {
     let tracing = args.tracing();
-    tracing.request(Target::None).raster()?;
+    Request::of(&tracing, Target::None).raster()?;
     let scene = SceneFile::open_as(&args.scene, args.reading.into())?;
-    let request = tracing.request_for(Target::None, &scene)?;
+    let request = Request::of_scene(&tracing, Target::None, &scene)?;
     let (size, aspect) = request.raster()?;
     if let Choice::At(x, y) = args.pixel {
         inside(size, x, y)?;

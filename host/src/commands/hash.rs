@@ -6,6 +6,7 @@ use crate::engine::interrupt;
 use crate::error::Error;
 use crate::picture::device::Target;
 use crate::picture::output;
+use crate::request::Request;
 use crate::request::scene_file::SceneFile;
 
 /// Runs `rta hash`: prints the hash of a scene's picture on a device, with the settings of the picture.
@@ -14,9 +15,9 @@ use crate::request::scene_file::SceneFile;
 /// All of [`Error`] that concern a scene, a device or standard output.
 pub fn run(args: &HashArgs) -> Result<(), Error> {
     let target = Target::On(args.device);
-    args.tracing.request(target).raster()?;
+    Request::of(&args.tracing, target).raster()?;
     let scene = SceneFile::open_as(&args.scene, args.tracing.reading.into())?;
-    let request = args.tracing.request_for(target, &scene)?;
+    let request = Request::of_scene(&args.tracing, target, &scene)?;
     let (size, _) = request.raster()?;
     let hash =
         Work::new(&request, &scene, args.tracing.threads, interrupt::watch())?.checksum(args.device)?;

@@ -39,7 +39,7 @@ use crate::request::scene_file::SceneFile;
 /// All of [`Error`].
 pub fn run(args: &RenderArgs) -> Result<(), Error> {
     let began = Instant::now();
-    args.tracing.request(args.device).raster()?;
+    Request::of(&args.tracing, args.device).raster()?;
     let output = PictureOutput::open(&args.output, args.file_type)?;
     let file_type = output.file_type();
     if let (true, Target::On(device)) = (file_type.is_linear(), args.device) {
@@ -47,7 +47,7 @@ pub fn run(args: &RenderArgs) -> Result<(), Error> {
     }
     let scene = SceneFile::open_as(&args.scene, args.tracing.reading.into())?;
     let output = output.beside(&scene.inputs)?;
-    let request = args.tracing.request_for(args.device, &scene)?;
+    let request = Request::of_scene(&args.tracing, args.device, &scene)?;
     let work = Work::new(&request, &scene, args.tracing.threads, interrupt::watch())?.quiet(args.quiet);
     if !args.quiet {
         request.fit(work.aspect).advise(&scene);

@@ -4,87 +4,15 @@ mod k_means;
 
 use core::fmt;
 
-use clap::ValueEnum;
 use rta_core::color::Rgb;
 use rta_core::raster::lattice::Lattice;
 use rta_drivers::display::Capabilities;
 use rta_drivers::dither::{Cell, Damped, Diffusion, Dither, FloydSteinberg, Ordered, Plain};
-use rta_drivers::quantize::{
-    Adaptive, ColorTable, MAX_SAMPLES, SAMPLES, TableError, Uniform, to_guns, variance_cut,
-};
+use rta_drivers::quantize::{Adaptive, ColorTable, MAX_SAMPLES, TableError, Uniform, to_guns, variance_cut};
 
 use super::device::Device;
 use super::raster::Size;
-
-/// How the entries of a device's colour table are chosen.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum TableKind {
-    /// Made for the picture before it is drawn, from samples of it.
-    Sampled,
-    /// Made from all pixels of the picture, as `rta bake --palette` stores it.
-    Baked,
-    /// Made from all pixels and moved to where it is best for them, by k-means: for machines with the memory.
-    Frame,
-    /// The thesis's way with a small tolerance: what is nearly an entry shares it, so that a smooth sky leaves room
-    /// for what is below it.
-    Tolerant,
-    /// The thesis's way to the letter: built while the picture is drawn, the nearest entry once it is full.
-    Adaptive,
-    /// Evenly spaced colours, alike for every picture.
-    Uniform,
-}
-
-/// How dithering spreads what rounding to the colour table loses.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum DitherKind {
-    /// Every pixel gets the entry nearest to it.
-    None,
-    /// Error diffusion of 6, 3, 4 and 1 sixteenths; an eighth of the error is lost.
-    #[value(alias = "fs6341")]
-    Fs,
-    /// Error diffusion of 7, 3, 5 and 1 sixteenths, as Floyd and Steinberg published it.
-    Fs7351,
-    /// A fixed pattern of 8 x 8 thresholds, for uniform tables.
-    #[value(alias = "bayer8")]
-    Bayer,
-}
-
-impl TableKind {
-    /// Returns the kind after this one, in a circle.
-    #[must_use]
-    pub fn next(self) -> Self {
-        after(Self::value_variants(), &self)
-    }
-}
-
-impl DitherKind {
-    /// Returns the kind after this one, in a circle.
-    #[must_use]
-    pub fn next(self) -> Self {
-        after(Self::value_variants(), &self)
-    }
-}
-
-fn after<T: Copy + PartialEq>(all: &[T], one: &T) -> T {
-    all.iter().skip_while(|other| *other != one).nth(1).or(all.first()).copied().unwrap_or(*one)
-}
-
-/// The value's name on the command line.
-fn named(value: &impl ValueEnum, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-    value.to_possible_value().map_or(Ok(()), |value| f.write_str(value.get_name()))
-}
-
-impl fmt::Display for TableKind {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        named(self, f)
-    }
-}
-
-impl fmt::Display for DitherKind {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        named(self, f)
-    }
-}
+pub use rta_args::value::coloring::{DitherKind, SAMPLES, TableKind};
 
 /// The colour table of a picture on a device, and its dithering.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -98,17 +26,13 @@ pub struct Coloring {
 }
 
 impl Coloring {
-    /// The samples of which a table is made unless another number is asked for.
-    #[allow(clippy::cast_possible_truncation, reason = "it is 4096")]
-    pub const SAMPLES: u32 = SAMPLES as u32;
-
     /// Returns what looks best on a device at the distance from which it was looked at: a table made for the picture, and diffusion where
     /// the pixels are fine. `rta palette` measures it.
     #[must_use]
     pub const fn of(device: Device) -> Self {
         let is_fine = device.capabilities().has_fine_pixels();
         let dither = if is_fine { DitherKind::Fs } else { DitherKind::None };
-        Self { table: TableKind::Sampled, dither, samples: Self::SAMPLES }
+        Self { table: TableKind::Sampled, dither, samples: SAMPLES }
     }
 
     /// Returns the highest level of the light that pixels are given as: the guns', where a table that is looked up in their levels is not
@@ -187,7 +111,7 @@ impl fmt::Display for Coloring {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { table, dither, samples } = self;
         write!(f, "{table} colour table")?;
-        if *table == TableKind::Sampled && *samples != Self::SAMPLES {
+        if *table == TableKind::Sampled && *samples != SAMPLES {
             write!(f, " of {samples} samples")?;
         }
         match dither {

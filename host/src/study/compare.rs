@@ -31,7 +31,7 @@ pub fn run(args: &CompareArgs) -> Result<(), StudyError> {
     }
     let scene = SceneFile::open_as(&args.scene, args.tracing.reading.into())?;
     let (file_type, output) = (output.file_type(), output.beside(&scene.inputs)?);
-    let request = args.tracing.request_for(Target::None, &scene)?;
+    let request = Request::of_scene(&args.tracing, Target::None, &scene)?;
     let (pool, stop) = (bands::pool(args.tracing.threads)?, interrupt::watch());
     let cells = cells(&args.models.0, &request, &scene, &pool, stop)?;
     let lines: Vec<_> = cells.chunks(ACROSS).map(beside).collect();

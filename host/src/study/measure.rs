@@ -18,18 +18,13 @@ pub mod flip;
 pub mod psnr;
 pub mod scielab;
 
-use core::fmt;
-use core::str::FromStr;
-
 use rta_core::color::Rgb;
 
 use crate::picture::raster::Size;
+pub use rta_args::value::degrees::PixelsPerDegree;
 
 pub use ciede2000::ciede2000;
 pub use psnr::{Psnr, psnr};
-
-/// Most pixels in one degree of the visual field. The eye resolves about 120.
-pub const MAX_PIXELS_PER_DEGREE: f64 = 1000.0;
 
 /// Two pictures or a distance that cannot be measured.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -45,9 +40,6 @@ pub enum MeasureError {
         /// The number of pixels there are.
         pixels: usize,
     },
-    /// Not a number above 0 up to [`MAX_PIXELS_PER_DEGREE`].
-    #[error("pixels per degree are above 0 and at most {MAX_PIXELS_PER_DEGREE}, not {0}")]
-    PixelsPerDegree(f64),
 }
 
 /// A reference and a test picture of equal size, as codes of sRGB, row by row from the upper left.
@@ -70,41 +62,6 @@ impl<'a> Pair<'a> {
             }
         }
         Ok(Self { reference, test, size })
-    }
-}
-
-/// How many pixels of a picture one degree of the visual field holds: the resolution of a screen times the distance of the eye.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct PixelsPerDegree(f64);
-
-impl PixelsPerDegree {
-    /// 67, a screen of today at arm's length: FLIP's own default.
-    pub const DEFAULT: Self = Self(67.0);
-
-    /// Returns `pixels` in a degree if that is a number above 0 up to [`MAX_PIXELS_PER_DEGREE`].
-    ///
-    /// # Errors
-    /// [`MeasureError::PixelsPerDegree`].
-    pub fn new(pixels: f64) -> Result<Self, MeasureError> {
-        if pixels > 0.0 && pixels <= MAX_PIXELS_PER_DEGREE {
-            Ok(Self(pixels))
-        } else {
-            Err(MeasureError::PixelsPerDegree(pixels))
-        }
-    }
-}
-
-impl fmt::Display for PixelsPerDegree {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.0.fmt(f)
-    }
-}
-
-impl FromStr for PixelsPerDegree {
-    type Err = MeasureError;
-
-    fn from_str(text: &str) -> Result<Self, MeasureError> {
-        Self::new(text.parse().unwrap_or(f64::NAN))
     }
 }
 

@@ -22,11 +22,12 @@ use crate::args::PaletteArgs;
 use crate::engine::callgrind::CountError;
 use crate::engine::progress::Progress;
 use crate::engine::{bands, interrupt};
-use crate::picture::coloring::{Coloring, DitherKind, TableKind};
+use crate::picture::coloring::{Coloring, DitherKind, SAMPLES, TableKind};
 use crate::picture::device::{Device, Target};
 use crate::picture::error::PictureError;
 use crate::picture::file::Caption;
 use crate::picture::output::{self, Failure, PictureOutput};
+use crate::request::Request;
 use crate::request::scene_file::SceneFile;
 use crate::study::error::StudyError;
 use crate::study::markdown;
@@ -74,7 +75,7 @@ pub fn run(args: &PaletteArgs) -> Result<(), StudyError> {
     }
     let devices = args.device.map_or_else(|| Device::value_variants().to_vec(), |device| vec![device]);
     for device in &devices {
-        tracing.request(Target::On(*device)).raster()?;
+        Request::of(tracing, Target::On(*device)).raster()?;
     }
     let sheet = args.sheet.as_deref().map(sheet_output).transpose()?;
     let scene = SceneFile::open_as(&args.scene, tracing.reading.into())?;
@@ -82,7 +83,7 @@ pub fn run(args: &PaletteArgs) -> Result<(), StudyError> {
         sheet.map(|output| Ok::<_, PictureError>((output.file_type(), output.beside(&scene.inputs)?)));
     let sheet = sheet.transpose()?;
     let study = Study { args, scene: &scene, pool: bands::pool(tracing.threads)?, stop: interrupt::watch() };
-    let combinations = colorings(Coloring::SAMPLES).len();
+    let combinations = colorings(SAMPLES).len();
     let steps = u32::try_from(devices.len() * (1 + combinations)).unwrap_or(u32::MAX);
     let progress = Mutex::new(Progress::new(steps));
     let done = AtomicU32::new(0);
@@ -142,7 +143,7 @@ impl Study<'_> {
         step: &(impl Fn() + Sync),
         uncounted: &mut Option<CountError>,
     ) -> Result<Shown, StudyError> {
-        let request = self.args.tracing.request_for(Target::On(device), self.scene)?;
+        let request = Request::of_scene(&self.args.tracing, Target::On(device), self.scene)?;
         let traced = Traced::new(&request, self.scene, &self.pool, self.stop)?;
         let samples = request.coloring.samples;
         let counts = if self.args.no_instructions || uncounted.is_some() {

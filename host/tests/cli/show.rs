@@ -17,7 +17,7 @@ use rta_scenes::Reading;
 use super::folder::Folder;
 
 fn show(scene: Scene) -> Show {
-    let request = ShowArgs::default().tracing.request(Target::On(Device::Vga));
+    let request = Request::of(&ShowArgs::default().tracing, Target::On(Device::Vga));
     let request = Request { size: Some("80x50".parse().expect("a size")), ..request };
     Show::new(scene, None, request, Some(2)).expect("it begins")
 }
@@ -73,7 +73,7 @@ fn keys_change_the_picture_and_back() {
 fn the_picture_of_the_window_is_that_of_render_with_and_without_a_device() {
     let folder = Folder::new();
     let scene = || Scene::open(&folder.path("scene.dat")).expect("it is well formed");
-    let request = ShowArgs::default().tracing.request(Target::On(Device::Vga));
+    let request = Request::of(&ShowArgs::default().tracing, Target::On(Device::Vga));
     let mut show = Show::new(scene(), None, request, Some(2)).expect("it begins");
     for device in ["vga", "graphigs", "pixrect", "none"] {
         complete(&mut show);
@@ -120,7 +120,7 @@ fn a_scene_read_again_states_its_size_anew() {
     folder.scene("scene.nff", nff("64 48"));
     let watch = Watch::new(&path, Reading::default());
     let scene = Scene::open(&path).expect("it is well formed");
-    let request = ShowArgs::default().tracing.request_for(Target::None, &scene).expect("a size");
+    let request = Request::of_scene(&ShowArgs::default().tracing, Target::None, &scene).expect("a size");
     let mut show = Show::new(scene, Some(watch), request, Some(2)).expect("it begins");
     folder.scene("scene.nff", nff("32 48"));
     show.obey(Command::Reload);
@@ -144,7 +144,7 @@ fn a_scene_is_read_again_as_it_was_read() {
     folder.scene("scene.nff", nff);
     let reading = Reading { lenient: true, ..Reading::default() };
     let scene = Scene::open_as(&path, reading).expect("an unknown line is passed over");
-    let request = ShowArgs::default().tracing.request_for(Target::None, &scene).expect("a size");
+    let request = Request::of_scene(&ShowArgs::default().tracing, Target::None, &scene).expect("a size");
     let mut show = Show::new(scene, Some(Watch::new(&path, reading)), request, Some(1)).expect("it begins");
     show.obey(Command::Reload);
     assert_eq!(show.visible_note(), None);

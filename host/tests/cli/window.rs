@@ -6,6 +6,7 @@ use std::fs;
 use std::time::Instant;
 
 use rta::args::ShowArgs;
+use rta::request::Request;
 use rta::scene::Scene;
 use rta::show::Show;
 use rta::show::overlay::{Overlay, draw};
@@ -49,7 +50,7 @@ fn differing(a: &[u32], b: &[u32]) -> Option<([usize; 2], [usize; 2], usize)> {
 fn show(folder: &Folder) -> Show {
     let scene = Scene::open(&folder.path("scene.dat")).unwrap();
     let args = ShowArgs::default();
-    let request = args.tracing.request_for(args.device, &scene).unwrap();
+    let request = Request::of_scene(&args.tracing, args.device, &scene).unwrap();
     let mut show = Show::new(scene, None, request, Some(1)).unwrap();
     let begun = Instant::now();
     while !show.is_complete() {

@@ -97,7 +97,10 @@ fn wrong_sizes_and_distances_are_refused() {
     }
     for pixels in [0.0, -1.0, f64::NAN, f64::INFINITY, 1000.1] {
         let error = PixelsPerDegree::new(pixels).expect_err("a wrong distance");
-        assert!(matches!(error, MeasureError::PixelsPerDegree(_)), "{pixels}");
+        assert_eq!(
+            error.to_string(),
+            format!("pixels per degree are above 0 and at most 1000, not {pixels}")
+        );
     }
 }
 

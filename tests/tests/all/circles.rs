@@ -8,7 +8,8 @@ use std::path::{Path, PathBuf};
 mod imports;
 
 /// The crates' folders, from the root of the repository.
-const CRATES: [&str; 7] = ["core", "drivers", "scenes", "host", "host/golden", "host/packets", "tests"];
+const CRATES: [&str; 9] =
+    ["core", "drivers", "scenes", "host", "host/args", "host/golden", "host/packets", "host/paired", "tests"];
 /// The most lines of a file.
 const MAX_LINES: usize = 330;
 /// The most functions of the core that are inlined wherever they are called.

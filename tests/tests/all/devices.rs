@@ -3,7 +3,7 @@
 use std::io::Cursor;
 
 use clap::ValueEnum;
-use rta::coloring::{Coloring, DitherKind, TableKind};
+use rta::coloring::{Coloring, DitherKind, SAMPLES, TableKind};
 use rta::device::Device;
 use rta::picture::error::PictureError;
 use rta::picture::{Caption, Displayed};
@@ -20,7 +20,7 @@ const ALL: [Device; 3] = [Device::Vga, Device::Graphigs, Device::Pixrect];
 
 /// Returns every colour table, and a table made for the picture with every dithering.
 fn colorings() -> Vec<Coloring> {
-    let of = |table, dither| Coloring { table, dither, samples: Coloring::SAMPLES };
+    let of = |table, dither| Coloring { table, dither, samples: SAMPLES };
     let tables = TableKind::value_variants().iter().map(|&table| of(table, DitherKind::None));
     let dithered = DitherKind::value_variants().iter().map(|&dither| of(TableKind::Sampled, dither));
     tables.chain(dithered).collect()

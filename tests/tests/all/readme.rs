@@ -7,14 +7,16 @@ use rta_core::needs::Used;
 
 const MAIN: &str = include_str!("../../../README.md");
 const CORE: &str = include_str!("../../../core/README.md");
-const PAGES: [(&str, &str); 8] = [
+const PAGES: [(&str, &str); 10] = [
     ("README.md", MAIN),
     ("core/README.md", CORE),
     ("drivers/README.md", include_str!("../../../drivers/README.md")),
     ("scenes/README.md", include_str!("../../../scenes/README.md")),
     ("host/README.md", include_str!("../../../host/README.md")),
+    ("host/args/README.md", include_str!("../../../host/args/README.md")),
     ("host/golden/README.md", include_str!("../../../host/golden/README.md")),
     ("host/packets/README.md", include_str!("../../../host/packets/README.md")),
+    ("host/paired/README.md", include_str!("../../../host/paired/README.md")),
     ("tests/README.md", include_str!("../../README.md")),
 ];
 

@@ -3,6 +3,7 @@
 
 use core::sync::atomic::AtomicBool;
 
+use rta::engine::Cutoff;
 use rta::engine::Format;
 use rta::raster::Size;
 use rta::report::bench::{Lattice, bench};
@@ -10,7 +11,6 @@ use rta::report::measure::{Difference, median, pareto_front};
 use rta::report::setting::{CUTOFFS, LIMITS, Limit, samplings};
 use rta::report::study::{Setup, Study};
 use rta::report::{Source, diagram, page, studies, table};
-use rta::sampling::Cutoff;
 use rta::scene::Scene;
 use rta_core::color::Rgb;
 use rta_core::illumination::Rta;

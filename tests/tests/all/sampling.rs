@@ -2,8 +2,8 @@
 
 #![allow(clippy::indexing_slicing, reason = "a test may panic")]
 
+use rta::engine::Cutoff;
 use rta::engine::{Engine, Format, Settings};
-use rta::sampling::Cutoff;
 use rta_core::color::Rgb;
 use rta_core::raster::Raster;
 use rta_core::sampling::{Places, Sampling};

@@ -176,7 +176,7 @@ mod tests {
     use crate::request::Request;
 
     fn shown(target: Target) -> Shown {
-        let request = ShowArgs::default().tracing.request(target);
+        let request = Request::of(&ShowArgs::default().tracing, target);
         let size = Some(Size::new(4, 4).expect("small"));
         Shown::new(&Request { size, ..request }).expect("it starts")
     }

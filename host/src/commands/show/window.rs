@@ -23,6 +23,7 @@ use crate::picture::error::PictureError;
 use crate::picture::frame::{Frame, Place};
 use crate::picture::output::{self, Inputs};
 use crate::picture::raster::Size;
+use crate::request::Request;
 use crate::request::scene_file::SceneFile;
 
 /// Frames a second.
@@ -51,12 +52,12 @@ const SMALLEST: (usize, usize) = (640, 480);
 /// # Errors
 /// All of [`Error`] that concern a scene, a device or a file in the current folder.
 pub fn run(args: &ShowArgs) -> Result<(), Error> {
-    args.tracing.request(args.device).raster()?;
+    Request::of(&args.tracing, args.device).raster()?;
     let path = args.scene.as_deref();
     let reading = args.tracing.reading.into();
     let watch = path.map(|path| Watch::new(path, reading));
     let scene = path.map_or_else(SceneFile::juggler, |path| SceneFile::open_as(path, reading))?;
-    let request = args.tracing.request_for(args.device, &scene)?;
+    let request = Request::of_scene(&args.tracing, args.device, &scene)?;
     let (size, aspect) = request.raster()?;
     let stop = interrupt::watch();
     let reason = match open(size, aspect) {

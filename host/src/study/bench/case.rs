@@ -69,7 +69,8 @@ impl Case {
 
     fn new(scene: SceneFile, tracing: Tracing) -> Result<Self, StudyError> {
         let Tracing { format, size, depth } = tracing;
-        let asked = Request { format, size, depth, ..ShowArgs::default().tracing.request(Target::None) };
+        let asked =
+            Request { format, size, depth, ..Request::of(&ShowArgs::default().tracing, Target::None) };
         // With the model that the scene was made for, so that rows can be compared with those of other versions.
         let request = asked.for_scene(None, &scene)?;
         let (engine, (size, _)) = (request.engine(&scene)?, request.raster()?);

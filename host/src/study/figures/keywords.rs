@@ -82,7 +82,7 @@ impl Example {
         let device = Device::Pixrect;
         let plain =
             TracingArgs { format: Format::Q16, dither: Some(DitherKind::None), ..TracingArgs::default() };
-        let request = plain.request_for(Target::On(device), &scene)?;
+        let request = Request::of_scene(&plain, Target::On(device), &scene)?;
         let raster = scene.description.raster;
         let size = raster.and_then(|[width, height]| Size::new(width, height).ok());
         let shape = scene.description.settings.screen.or(raster.map(|sides| sides.map(f64::from)));

@@ -7,6 +7,7 @@ use crate::args::TracingArgs;
 use crate::engine::Model;
 use crate::picture::device::Target;
 use crate::picture::file::{Displayed, Pixels};
+use crate::request::Request;
 use crate::request::scene_file::SceneFile;
 use crate::study::compare::cells;
 use crate::study::error::StudyError;
@@ -62,7 +63,7 @@ sphere at 2.3 0 1  radius 1  of c
 /// Returns a sheet of a scene by several models.
 fn sheet(name: &str, text: &str, models: &[Model], tracing: &Tracing) -> Result<Displayed, StudyError> {
     let scene = SceneFile::of_text(name, text)?;
-    let request = TracingArgs::default().request_for(Target::None, &scene)?;
+    let request = Request::of_scene(&TracingArgs::default(), Target::None, &scene)?;
     let cells = cells(models, &request, &scene, tracing.pool, tracing.stop)?;
     displayed(&stacked(&cells.chunks(ACROSS).map(beside).collect::<Vec<_>>()))
 }
@@ -95,7 +96,7 @@ pub(super) fn prism(tracing: &Tracing) -> Result<Displayed, StudyError> {
 /// Returns the picture of a scene as its file has it.
 fn whole(name: &str, text: &str, tracing: &Tracing) -> Result<Displayed, StudyError> {
     let scene = SceneFile::of_text(name, text)?;
-    let request = TracingArgs::default().request_for(Target::None, &scene)?;
+    let request = Request::of_scene(&TracingArgs::default(), Target::None, &scene)?;
     let Traced { size, aspect, reference, .. } = Traced::new(&request, &scene, tracing.pool, tracing.stop)?;
     Ok(Displayed { size, aspect, pixels: Pixels::Direct(reference) })
 }

@@ -162,7 +162,8 @@ struct Filters {
 }
 
 impl Filters {
-    fn new(PixelsPerDegree(pixels): PixelsPerDegree) -> Self {
+    fn new(pixels_per_degree: PixelsPerDegree) -> Self {
+        let pixels = pixels_per_degree.pixels();
         let radius = Kernel::radius(deviation(WIDEST) * pixels);
         Self {
             achromatic: sensitivity(&ACHROMATIC, radius, pixels),

@@ -44,7 +44,8 @@ pub fn map(pair: &Pair<'_>, pixels_per_degree: PixelsPerDegree) -> Vec<f32> {
 
 /// Returns the blur of one opponent part as normalized Gaussians and their shares.
 #[expect(clippy::cast_possible_truncation, reason = "planes are f32")]
-fn filter(gaussians: [(f64, f64); 2], PixelsPerDegree(pixels): PixelsPerDegree) -> [(f32, Kernel); 2] {
+fn filter(gaussians: [(f64, f64); 2], pixels_per_degree: PixelsPerDegree) -> [(f32, Kernel); 2] {
+    let pixels = pixels_per_degree.pixels();
     let sum: f64 = gaussians.iter().map(|(weight, _)| weight).sum();
     gaussians.map(|(weight, spread)| {
         let deviation = (spread * pixels / 2.0_f64.sqrt()).max(SHARPEST);

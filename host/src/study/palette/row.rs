@@ -35,7 +35,7 @@ impl Row {
         let picture = traced.displayed(device, coloring)?;
         let colors = picture.colors();
         let pair = Pair::new(&traced.reference, &colors, traced.size)?;
-        let own = Difference::of(&pair, PixelsPerDegree::new(device.pixels_per_degree())?);
+        let own = Difference::of(&pair, device.pixels_per_degree());
         let fine = mean(&flip::map(&pair, PixelsPerDegree::DEFAULT));
         let memory = memory::bytes(coloring, traced.size).map_err(StudyError::palette)?;
         drop(colors);

@@ -180,7 +180,7 @@ fn levels<B: DrawingBackend>(chart: &mut Chart<B>, rows: &[Row]) -> Result<(), D
 fn curve<B: DrawingBackend>(chart: &mut Chart<B>, rows: &[Row], method: Method) -> Result<(), DrawError<B>> {
     let (color, size) = (color(method), radius(method));
     let of = rows.iter().filter(|row| row.method == method);
-    let whole = of.clone().filter(|row| row.limit.cutoff == crate::request::sampling::Cutoff::OFF);
+    let whole = of.clone().filter(|row| row.limit.cutoff == crate::engine::Cutoff::OFF);
     let line = whole.map(|row| (cost(row), row.total.rmse));
     chart.draw_series(LineSeries::new(line, color.mix(0.7).stroke_width(1)))?;
     let points = of.map(|row| (cost(row), row.total.rmse));

@@ -95,11 +95,7 @@ fn setting(row: &Row) -> String {
         method.format,
         method.sampling.samples(),
         limit.depth,
-        if limit.cutoff == crate::request::sampling::Cutoff::OFF {
-            "none".to_owned()
-        } else {
-            limit.cutoff.to_string()
-        },
+        if limit.cutoff == crate::engine::Cutoff::OFF { "none".to_owned() } else { limit.cutoff.to_string() },
         row.seconds
     )
 }
@@ -129,8 +125,7 @@ fn apart(page: &mut String, rows: &[Row]) -> core::fmt::Result {
         write!(page, " {device}, levels |")?;
     }
     writeln!(page, "\n{}", "| --- ".repeat(7 + DEVICES.len()) + "|")?;
-    let whole =
-        |row: &&Row| row.limit.depth == 5 && row.limit.cutoff == crate::request::sampling::Cutoff::OFF;
+    let whole = |row: &&Row| row.limit.depth == 5 && row.limit.cutoff == crate::engine::Cutoff::OFF;
     for row in rows.iter().filter(whole) {
         let jittered = if row.method.sampling.is_jittered() { " jittered" } else { "" };
         write!(

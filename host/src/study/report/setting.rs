@@ -5,8 +5,8 @@ use core::ops::RangeInclusive;
 
 use rta_core::sampling::{Places, Sampling};
 
+use crate::engine::Cutoff;
 use crate::engine::{Format, MAX_DEPTH};
-use crate::request::sampling::Cutoff;
 
 /// Number formats under test; `f64` is the reference.
 pub const FORMATS: [Format; 3] = [Format::F32, Format::Q16, Format::Q20];

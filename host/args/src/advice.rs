@@ -175,13 +175,13 @@ fn is_whole(value: &str) -> bool {
 }
 
 fn is_picture(value: &str) -> bool {
-    crate::picture::FileType::of_extension(value).is_some()
+    crate::value::file_type::FileType::of_extension(value).is_some()
 }
 
 #[cfg(test)]
 mod tests {
     use super::{ELSEWHERE, NOWHERE, has, parse};
-    use crate::args::{Cli, Command};
+    use crate::{Cli, Command};
     use clap::CommandFactory;
 
     #[test]

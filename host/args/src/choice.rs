@@ -6,7 +6,7 @@ use core::str::FromStr;
 
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 
-use crate::engine::{Format, Model};
+use rta_scenes::{Format, Model};
 
 /// A parser of the name of a number format.
 pub(super) fn format() -> impl TypedValueParser<Value = Format> {

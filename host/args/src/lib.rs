@@ -1,4 +1,5 @@
-//! The command line.
+//! The command line of rta: its commands, their options and the values of those. Nothing is done with them here.
+#![forbid(unsafe_code)]
 
 mod advice;
 mod choice;
@@ -8,6 +9,7 @@ mod picture;
 mod scene;
 mod study;
 mod tracing;
+pub mod value;
 
 use clap::{Parser, Subcommand};
 
@@ -177,3 +179,8 @@ mod tests {
         assert_eq!(format!("{args:?}"), format!("{:?}", ShowArgs::default()));
     }
 }
+
+/// The code of the README, compiled and run with the other examples.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

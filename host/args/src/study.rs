@@ -7,10 +7,11 @@ use clap::{Args, ValueEnum};
 
 use super::choice;
 use super::tracing::TracingArgs;
-use crate::engine::{Format, MAX_DEPTH};
-use crate::picture::device::Device;
-use crate::picture::raster::{Aspect, Size};
-use crate::study::measure::PixelsPerDegree;
+use crate::value::degrees::PixelsPerDegree;
+use crate::value::device::Device;
+use crate::value::raster::{Aspect, Size};
+use rta_packets::picture::MAX_DEPTH;
+use rta_scenes::Format;
 
 /// `rta bench`.
 #[derive(Args, Clone, Debug)]

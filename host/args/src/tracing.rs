@@ -4,10 +4,12 @@ use clap::Args;
 
 use super::choice;
 use super::scene::ReadingArgs;
-use crate::engine::{Cutoff, Format, MAX_DEPTH, Model};
-use crate::picture::coloring::{Coloring, DitherKind, TableKind};
-use crate::picture::raster::{Aspect, Size};
-use crate::request::sampling::Samples;
+use crate::value::coloring::{DitherKind, SAMPLES, TableKind};
+use crate::value::cutoff::Cutoff;
+use crate::value::raster::{Aspect, Size};
+use crate::value::sampling::Samples;
+use rta_packets::picture::MAX_DEPTH;
+use rta_scenes::{Format, Model};
 
 /// How a picture is traced.
 #[derive(Args, Clone, Debug)]
@@ -46,7 +48,7 @@ pub struct TracingArgs {
     #[arg(long, value_enum, ignore_case = true)]
     pub dither: Option<DitherKind>,
     /// The most samples of which a sampled colour table is made, as many as a firmware has memory for, 3 bytes each
-    #[arg(long, value_name = "N", default_value_t = Coloring::SAMPLES, value_parser = choice::whole(1..=1_u32 << 20))]
+    #[arg(long, value_name = "N", default_value_t = SAMPLES, value_parser = choice::whole(1..=1_u32 << 20))]
     pub table_samples: u32,
     /// Pixels of the picture [default: the device's; with --device none those of the scene, else 320x200]
     ///
@@ -81,7 +83,7 @@ impl Default for TracingArgs {
             jitter: None,
             table: None,
             dither: None,
-            table_samples: Coloring::SAMPLES,
+            table_samples: SAMPLES,
             size: None,
             aspect: None,
             fit: false,

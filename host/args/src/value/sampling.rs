@@ -5,8 +5,6 @@ use core::str::FromStr;
 
 use rta_core::sampling::{Places, Sampling};
 
-pub use crate::engine::cutoff::Cutoff;
-
 /// Samples a pixel: a square number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Samples(Sampling);

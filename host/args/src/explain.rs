@@ -8,8 +8,9 @@ use clap::Args;
 use super::choice;
 use super::scene::ReadingArgs;
 use super::tracing::TracingArgs;
-use crate::engine::{Format, MAX_DEPTH, Model};
-use crate::picture::raster::{Aspect, Size};
+use crate::value::raster::{Aspect, Size};
+use rta_packets::picture::MAX_DEPTH;
+use rta_scenes::{Format, Model};
 
 /// The pixel to explain.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

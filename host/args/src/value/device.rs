@@ -6,6 +6,7 @@ use clap::ValueEnum;
 use clap::builder::PossibleValue;
 use rta_drivers::display::Capabilities;
 
+use super::degrees::PixelsPerDegree;
 use super::raster::Size;
 
 /// A display of 1990.
@@ -41,12 +42,12 @@ impl Device {
     /// degree is 10.5 mm: of a 14 inch tube that shows 320 columns on 26 cm, of the IBM 5081 with 1024 on 28 cm, of a Sun's 19 inch
     /// tube with 1152 on 35 cm.
     #[must_use]
-    pub const fn pixels_per_degree(self) -> f64 {
-        match self {
+    pub const fn pixels_per_degree(self) -> PixelsPerDegree {
+        PixelsPerDegree(match self {
             Self::Vga => 13.0,
             Self::Graphigs => 38.0,
             Self::Pixrect => 35.0,
-        }
+        })
     }
 
     /// Width over height of the whole screen.

@@ -9,9 +9,9 @@ use rta_scenes::description::{Air, Shading};
 use rta_scenes::pictures::LARGEST_SIDE;
 
 use super::choice;
-use crate::engine::{Format, Model};
-use crate::picture::device::Device;
-use crate::picture::raster::{Aspect, Size};
+use crate::value::device::Device;
+use crate::value::raster::{Aspect, Size};
+use rta_scenes::{Format, Model};
 
 /// How a scene file is read.
 #[derive(Args, Clone, Copy, Debug, Default)]

@@ -51,7 +51,7 @@ impl Size {
 
     /// Clamps both sides to 1 to 8192; for the rasters of devices, which are within these limits.
     #[must_use]
-    pub(crate) fn clamped(width: u32, height: u32) -> Self {
+    pub fn clamped(width: u32, height: u32) -> Self {
         Self { width: width.clamp(1, 8192), height: height.clamp(1, 8192) }
     }
 

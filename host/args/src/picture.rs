@@ -5,9 +5,9 @@ use std::path::PathBuf;
 use clap::Args;
 
 use super::tracing::TracingArgs;
-use crate::engine::Format;
-use crate::picture::device::{Device, Target};
-use crate::picture::file::FileType;
+use crate::value::device::{Device, Target};
+use crate::value::file_type::FileType;
+use rta_scenes::Format;
 
 /// `rta show`.
 #[derive(Args, Debug)]
