@@ -13,6 +13,7 @@ mod camera;
 mod details;
 mod dispersion;
 mod material;
+mod path;
 mod settings;
 mod texture;
 
@@ -26,6 +27,7 @@ pub use details::{Detail, Details, LampShape};
 
 pub use dispersion::Dispersion;
 pub use material::{Coefficients, Edge, Kind, Material, Slope};
+pub use path::{Journey, Keyframe, Path};
 pub use settings::{ModelOption, Settings};
 pub use texture::{Axis, Pattern, Pixels, Texture};
 

@@ -115,6 +115,9 @@ impl Description {
                 [corner, first, second].into_iter().for_each(scale);
             }
         }
+        let keyframes = self.details.paths.iter_mut().flat_map(|path| &mut path.keyframes);
+        keyframes.map(|keyframe| &mut keyframe.place).for_each(scale);
+        self.details.journey.iter_mut().filter_map(|journey| journey.aim.as_mut()).for_each(scale);
         self.details.objects.values_mut().filter_map(|detail| detail.moves.as_mut()).for_each(scale);
     }
 }

@@ -94,7 +94,11 @@ pub fn read_with(text: &[u8], file: &str, reading: Reading) -> Result<Descriptio
     } else {
         dat::read(text, file)
     };
-    scene.map(|mut scene| {
+    scene.map(|scene| {
+        let mut scene = match reading.instant {
+            Some(instant) => scene.at(instant),
+            None => scene,
+        };
         scene.air = reading.air.unwrap_or(scene.air);
         if let Some(count) = reading.wavelengths {
             scene.settings.wavelengths = Some(count).filter(|count| *count > 0);

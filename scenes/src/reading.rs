@@ -23,4 +23,7 @@ pub struct Reading {
     pub shading: Option<Shading>,
     /// Whether normals and light of vertices are mixed on the screen, for rays from the eye.
     pub scanline: bool,
+    /// The instant of the film, 0 to 1, at which the scene is drawn, with everything where it is then; without it nothing has moved, and
+    /// what moves along paths is kept.
+    pub instant: Option<f64>,
 }

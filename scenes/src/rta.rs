@@ -32,6 +32,7 @@ mod models;
 mod names;
 mod nearest;
 mod object;
+mod path;
 mod said;
 mod statements;
 mod table;
@@ -171,6 +172,7 @@ impl<'a> Reader<'a> {
             "lamp" => self.lamp(said),
             "texture" => self.texture(said),
             "material" => self.material(said),
+            "path" => self.path(said),
             _ => self.object(said),
         }
     }

@@ -44,6 +44,9 @@ pub struct ReadingArgs {
     /// Mix normals and light of vertices on the screen, as scan-line programs do, for rays from the eye
     #[arg(long)]
     pub scanline: bool,
+    /// The scene as it is at an instant of its film, 0 to 1 [default: 0, as its statements have it]
+    #[arg(long, value_name = "TIME", value_parser = instant)]
+    pub instant: Option<f64>,
 }
 
 /// The ways of shading by name.
@@ -55,6 +58,10 @@ fn shading(text: &str) -> Result<Shading, String> {
     known.map(|(_, shading)| shading).ok_or_else(|| "expected normals, gouraud or bishop-weimer".into())
 }
 
+fn instant(text: &str) -> Result<f64, &'static str> {
+    text.parse().ok().filter(|instant| (0.0..=1.0).contains(instant)).ok_or("expected a number from 0 to 1")
+}
+
 fn wavelengths(text: &str) -> Result<u32, String> {
     let number = text.parse().ok().filter(|number: &u32| *number == 0 || *number < 32 && number % 2 == 1);
     number.ok_or_else(|| "expected an odd number from 1 to 31, or 0".into())
@@ -62,8 +69,19 @@ fn wavelengths(text: &str) -> Result<u32, String> {
 
 impl From<ReadingArgs> for Reading {
     fn from(args: ReadingArgs) -> Self {
-        let ReadingArgs { lenient, one_sided, air, texels, spectral, tessellate, shading, scanline } = args;
-        Self { lenient, one_sided, air, texels, wavelengths: spectral, tessellate, shading, scanline }
+        let ReadingArgs { lenient, one_sided, air, texels, spectral, tessellate, shading, scanline, instant } =
+            args;
+        Self {
+            lenient,
+            one_sided,
+            air,
+            texels,
+            wavelengths: spectral,
+            tessellate,
+            shading,
+            scanline,
+            instant,
+        }
     }
 }
 

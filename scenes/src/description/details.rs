@@ -6,7 +6,7 @@ use std::sync::Arc;
 use rta_core::scene::Object;
 use rta_core::texture::Shading;
 
-use super::Pixels;
+use super::{Journey, Path, Pixels};
 
 /// What few objects, lamps, floors and skies have.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -21,6 +21,12 @@ pub struct Details {
     pub sky_map: Option<String>,
     /// Whether triangles with normals are mixed on the screen, for rays from the eye.
     pub scanline: bool,
+    /// Paths, to which camera, lamps and objects refer by name.
+    pub paths: Vec<Path>,
+    /// How the camera moves, if it does.
+    pub journey: Option<Journey>,
+    /// The paths of lamps that move, by the lamps' numbers, from 0.
+    pub lamp_paths: BTreeMap<usize, String>,
     /// The pictures that the scene names, by the names of their files, as far as they were [loaded](super::Description::load_pictures).
     pub pictures: BTreeMap<String, Arc<Pixels>>,
 }
@@ -47,6 +53,8 @@ pub struct Detail {
     pub shading: Shading,
     /// How far it moves while the shutter is open once.
     pub moves: Option<[f64; 3]>,
+    /// The path that it moves along, by its name.
+    pub along: Option<String>,
     /// Texture coordinates u and v of the vertices of a triangle.
     pub uv: Option<[[f64; 2]; 3]>,
 }

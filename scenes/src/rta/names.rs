@@ -10,6 +10,7 @@ use super::line::is_name;
 use super::material::MOST_EXPONENT;
 use super::view::{SCREEN, SIZE, is_square};
 use crate::description::{Description, FallOff, Kind, LampShape, Material, Settings, Surface};
+use crate::space::difference;
 
 /// What tells surfaces apart that become materials: a kind, and the bits of its numbers.
 type Key = [u64; 6];
@@ -47,6 +48,7 @@ impl Description {
         }
         self.materials = materials;
         self.name_materials();
+        self.settle_paths();
         self.settle_details();
         self.settle_settings();
         self
@@ -85,13 +87,29 @@ impl Description {
         }
     }
 
+    /// Leaves out what goes along paths that there are none of, or does not go at all.
+    fn settle_paths(&mut self) {
+        let details = &mut self.details;
+        let (paths, lamps) = (&details.paths, self.lamps.len());
+        let is_path = |name: &String| paths.iter().any(|path| path.name == *name);
+        details.objects.values_mut().for_each(|detail| detail.along = detail.along.take().filter(is_path));
+        let is_distant = |number: &usize| matches!(details.lamps.get(number), Some(LampShape::Toward(_)));
+        details.lamp_paths.retain(|number, path| *number < lamps && is_path(path) && !is_distant(number));
+        details.journey = details.journey.take().filter(|journey| is_path(&journey.path));
+        if let Some(journey) = &mut details.journey {
+            // The direction of view is that to the aim.
+            journey.aim = journey.aim.filter(|aim| difference(*aim, self.camera.eye) == self.camera.view);
+        }
+    }
+
     fn settle_details(&mut self) {
-        let [ellipsoids, spheres, cones, cylinders, triangles] = [
+        let [ellipsoids, spheres, cones, cylinders, triangles, planes] = [
             self.ellipsoids.len(),
             self.spheres.len(),
             self.cones.len(),
             self.cylinders.len(),
             self.triangles.len(),
+            self.planes.len(),
         ];
         self.details.objects.retain(|object, detail| {
             let (number, most) = match *object {
@@ -100,10 +118,14 @@ impl Description {
                 Object::Cone(number) => (number, cones),
                 Object::Cylinder(number) => (number, cylinders),
                 Object::Triangle(number) => (number, triangles),
+                Object::Plane(number) => (number, planes),
                 _ => return false,
             };
             if !matches!(object, Object::Triangle(_)) {
                 (detail.shading, detail.uv) = Default::default();
+            }
+            if matches!(object, Object::Plane(_)) {
+                detail.moves = None;
             }
             usize::try_from(number).is_ok_and(|number| number < most) && *detail != Default::default()
         });

@@ -64,28 +64,33 @@ impl<'a> Reader<'a> {
                     return Err(said.error(place, "the plane's normal (not zero)", found));
                 }
                 scene.planes.push(Plane { point: position, normal, color, surface, line });
-                return Ok(());
+                Object::Plane(next(&scene.planes) - 1)
             }
             _ => return self.polygon(said, surface, color),
         };
-        self.detail(said, object, None);
-        Ok(())
+        self.detail(said, object, None)
     }
 
     /// Keeps what an object has beside what all of its kind have.
-    fn detail(&mut self, said: &Said<'a>, object: Object, uv: Option<[[f64; 2]; 3]>) {
+    fn detail(
+        &mut self,
+        said: &Said<'a>,
+        object: Object,
+        uv: Option<[[f64; 2]; 3]>,
+    ) -> Result<(), SceneError> {
         let shading = match (said.has("gouraud"), said.has("bishop-weimer")) {
             (true, _) => Shading::Gouraud,
             (_, true) => Shading::BishopWeimer,
             _ => Shading::Normals,
         };
-        let detail = Detail { shading, moves: said.triple("moves"), uv };
+        let detail = Detail { shading, moves: said.triple("moves"), along: self.along(said)?, uv };
         if detail.moves.is_some() {
             self.undrawn("motion", said.place.0);
         }
         if detail != Detail::default() {
             self.scene.details.objects.insert(object, detail);
         }
+        Ok(())
     }
 
     /// A polygon or a triangle.
@@ -141,7 +146,7 @@ impl<'a> Reader<'a> {
         let uv = said.part("uv").map(|uv| [uv.numbers(0), uv.numbers(2), uv.numbers(4)]);
         let one_sided = said.has("one-sided");
         for (vertices, normals) in sheet.triangles {
-            self.detail(said, Object::Triangle(next(&self.scene.triangles)), uv);
+            self.detail(said, Object::Triangle(next(&self.scene.triangles)), uv)?;
             self.scene.triangles.push(Triangle { vertices, normals, one_sided, color, surface, line });
         }
         Ok(())

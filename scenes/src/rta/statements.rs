@@ -11,10 +11,16 @@ pub(super) const A_MATERIAL: &str = "a material defined above";
 /// What stands for a texture in an error.
 pub(super) const A_TEXTURE: &str = "a texture defined above";
 
+/// What stands for a path in an error.
+pub(super) const A_PATH: &str = "a path defined above";
+
 const PLACE: &[V] = &[V("place", Vector(Any))];
 const COLORS: &[V] = &[V("first colour", Color(NotNegative)), V("second colour", Color(NotNegative))];
 
 const OF: Part = may("of", &[V("material", Name(A_MATERIAL))], "its material").default("opaque");
+
+const ALONG: Part =
+    may("along", &[V("path", Name(A_PATH))], "the path that it moves along in a film, from where it stands");
 
 const fn once(
     keyword: &'static str,
@@ -50,6 +56,7 @@ const ONCE: &[Statement] = &[
                 &[V("angle", Number(Angle))],
                 "angle of view across the longer side of the picture",
             ),
+            ALONG,
             may("focus", &[V("focus", Number(Positive))], "the distance that is sharp; kept, not drawn yet"),
             may("aperture", &[V("aperture", Number(Positive))], "diameter of the lens; kept, not drawn yet"),
             may(

@@ -2,6 +2,7 @@
 
 mod errors;
 mod meaning;
+mod paths;
 mod round;
 
 use crate::description::Description;

@@ -3,7 +3,7 @@
 use super::Reader;
 use super::models;
 use super::said::Said;
-use crate::description::{Attenuation, Camera, Fading, Floor, Medium, Optics, Side, Sky, Surface};
+use crate::description::{Attenuation, Camera, Fading, Floor, Journey, Medium, Optics, Side, Sky, Surface};
 use crate::error::{Found, SceneError};
 use crate::numbers::{Numbers, Range};
 use crate::space::{Triple, cross, difference, length, unit};
@@ -56,6 +56,8 @@ impl<'a> Reader<'a> {
             shutter: said.part("shutter").map(|shutter| shutter.numbers(0)),
             hither: said.number("hither"),
         };
+        let along = self.along(said)?;
+        self.scene.details.journey = along.map(|path| Journey { path, aim: said.triple("to") });
         if said.has("aperture") {
             self.undrawn("lenses", said.place.0);
         }

@@ -6,7 +6,7 @@ use super::HEADER;
 use super::names::is_builtin;
 use super::view::SCREEN;
 use crate::description::{
-    Description, Detail, Fading, FallOff, LampShape, ModelOption, Shading, Side, Sky, Surface,
+    Description, Detail, Fading, FallOff, Keyframe, LampShape, ModelOption, Path, Shading, Side, Sky, Surface,
 };
 
 mod material;
@@ -32,9 +32,22 @@ impl Description {
     }
 
     fn write_view(&self, text: &mut String) {
-        let (camera, optics) = (&self.camera, &self.optics);
+        for Path { name, linear, keyframes } in &self.details.paths {
+            let mut words = Words::new("path");
+            words.name("", name).flag("linear", *linear);
+            for Keyframe { time, place: [x, y, z] } in keyframes {
+                words.numbers("at", &[*time, *x, *y, *z]);
+            }
+            words.end(text);
+        }
+        let (camera, optics, journey) = (&self.camera, &self.optics, &self.details.journey);
         let mut words = Words::new("camera");
-        words.vector("at", camera.eye).vector("look", camera.view);
+        words.vector("at", camera.eye);
+        match journey.as_ref().and_then(|journey| journey.aim) {
+            Some(aim) => words.vector("to", aim),
+            None => words.vector("look", camera.view),
+        };
+        words.maybe(journey.as_ref(), |words, journey| words.name("along", &journey.path));
         words.maybe(camera.up, |words, up| words.vector("up", up));
         words.number("lens", camera.focal);
         if camera.side == Side::Height {
@@ -138,6 +151,7 @@ impl Description {
                     words.word("constant");
                 }
             }
+            words.maybe(self.details.lamp_paths.get(&number), |words, path| words.name("along", path));
             words.end(text);
         }
     }
@@ -178,10 +192,10 @@ impl Description {
             words.flag("one-sided", own.one_sided);
             self.write_rest(words, own.color, &own.surface, Object::Triangle(object), text);
         }
-        for own in &self.planes {
+        for (object, own) in (0..).zip(&self.planes) {
             let mut words = Words::new("plane");
             words.vector("at", own.point).vector("normal", own.normal);
-            self.write_rest(words, own.color, &own.surface, Object::Floor, text);
+            self.write_rest(words, own.color, &own.surface, Object::Plane(object), text);
         }
     }
 
@@ -202,11 +216,12 @@ impl Description {
             words.color("color", color);
         }
         self.write_material(surface, &mut words);
-        if let Some(Detail { shading, moves, uv }) = self.details.objects.get(&object) {
+        if let Some(Detail { shading, moves, along, uv }) = self.details.objects.get(&object) {
             words.maybe(*uv, |words, uv| words.numbers("uv", uv.as_flattened()));
             words.flag("gouraud", *shading == Shading::Gouraud);
             words.flag("bishop-weimer", *shading == Shading::BishopWeimer);
             words.maybe(*moves, |words, moves| words.vector("moves", moves));
+            words.maybe(along.as_ref(), |words, path| words.name("along", path));
         }
         words.end(text);
     }

@@ -4,8 +4,8 @@ use proptest::prelude::*;
 use rta_core::scene::Object;
 use rta_scenes::description::{
     Air, Attenuation, Camera, Cone, Cylinder, Description, Detail, Details, Ellipsoid, Fading, FallOff,
-    Floor, Lamp, LampShape, Medium, Model, ModelOption, Optics, Plane, Settings, Shading, Side, Sky, Sphere,
-    Surface, Triangle,
+    Floor, Journey, Keyframe, Lamp, LampShape, Medium, Model, ModelOption, Optics, Path, Plane, Settings,
+    Shading, Side, Sky, Sphere, Surface, Triangle,
 };
 
 mod material;
@@ -216,9 +216,37 @@ fn details() -> impl Strategy<Value = Details> {
     });
     let shading = prop_oneof![Just(Shading::Normals), Just(Shading::Gouraud), Just(Shading::BishopWeimer)];
     let uv = maybe(prop::array::uniform3([0.0..=1.0, 0.0..=1.0_f64]));
-    let detail = (shading, maybe(place()), uv).prop_map(|(shading, moves, uv)| Detail { shading, moves, uv });
-    (prop::collection::btree_map(object, detail, 0..5), maybe(positive()), maybe("[a-zA-Z #/.é]{0,9}"))
-        .prop_map(|(objects, tile, sky_map)| Details { objects, tile, sky_map, ..Details::default() })
+    let detail = (shading, maybe(place()), maybe(path_name()), uv)
+        .prop_map(|(shading, moves, along, uv)| Detail { shading, moves, along, uv });
+    let keyframes = prop::collection::vec((0.01..=0.1_f64, place()), 2..9).prop_map(|steps| {
+        let mut time = 0.0;
+        let keyframe = |(step, place)| {
+            time += step;
+            Keyframe { time, place }
+        };
+        steps.into_iter().map(keyframe).collect()
+    });
+    let path = (any::<bool>(), keyframes).prop_map(|(linear, keyframes)| Path {
+        name: "a".into(),
+        linear,
+        keyframes,
+    });
+    let journey = (path_name(), maybe(place())).prop_map(|(path, aim)| Journey { path, aim });
+    let lamp_paths = prop::collection::btree_map(0..4_usize, path_name(), 0..3);
+    let moves = (maybe(path), maybe(journey), lamp_paths);
+    let file = maybe("[a-zA-Z #/.é]{0,9}");
+    (prop::collection::btree_map(object, detail, 0..5), maybe(positive()), file, moves).prop_map(
+        |(objects, tile, sky_map, (path, journey, lamp_paths))| {
+            let second = path.clone().map(|path| Path { name: "b-2".into(), ..path });
+            let paths = path.into_iter().chain(second).collect();
+            Details { objects, tile, sky_map, paths, journey, lamp_paths, ..Details::default() }
+        },
+    )
+}
+
+/// Returns the name of a path, which there may be none of.
+fn path_name() -> impl Strategy<Value = String> {
+    prop_oneof![Just("a".to_owned()), Just("b-2".to_owned()), Just("c".to_owned())]
 }
 
 /// Returns any scene.

@@ -1,6 +1,6 @@
 //! Lamps, textures, materials and objects: the statements that a scene has as often as it likes.
 
-use super::{A_MATERIAL, A_TEXTURE, COLORS, OF, PLACE};
+use super::{A_MATERIAL, A_TEXTURE, ALONG, COLORS, OF, PLACE};
 use crate::numbers::Range::{
     Any, Between, Gloss, NotNegative, NotZero, Part as Fraction, Positive, Share as Unit,
 };
@@ -65,6 +65,23 @@ pub(super) const THINGS: &[Statement] = &[
             either(1, "square", &[], "its light falls with the square of the distance"),
             either(1, "constant", &[], "its light does not depend on the distance")
                 .default("as the model has it"),
+            ALONG,
+        ],
+    ),
+    object(
+        "path",
+        "A path with a name, for the frames of a film",
+        &[
+            must("", &[V("name", New)], "its name"),
+            may("linear", &[], "it goes straight from place to place").default("a smooth curve through them"),
+            Part {
+                repeats: true,
+                ..must(
+                    "at",
+                    &[V("time", Number(Between(0.0, 1.0))), V("place", Vector(Any))],
+                    "where it is, from the earliest time to the latest; two of them or more",
+                )
+            },
         ],
     ),
     object(
@@ -178,6 +195,7 @@ pub(super) const THINGS: &[Statement] = &[
             COLOR,
             OF,
             MOVES,
+            ALONG,
         ],
     ),
     object(
@@ -190,6 +208,7 @@ pub(super) const THINGS: &[Statement] = &[
             COLOR,
             OF,
             MOVES,
+            ALONG,
         ],
     ),
     object(
@@ -201,6 +220,7 @@ pub(super) const THINGS: &[Statement] = &[
             COLOR,
             OF,
             MOVES,
+            ALONG,
         ],
     ),
     object(
@@ -222,6 +242,7 @@ pub(super) const THINGS: &[Statement] = &[
             COLOR,
             OF,
             MOVES,
+            ALONG,
         ],
     ),
     object(
@@ -237,6 +258,7 @@ pub(super) const THINGS: &[Statement] = &[
             GOURAUD,
             BISHOP,
             MOVES,
+            ALONG,
         ],
     ),
     object(
@@ -253,6 +275,7 @@ pub(super) const THINGS: &[Statement] = &[
             GOURAUD,
             BISHOP,
             MOVES,
+            ALONG,
         ],
     ),
     object(
@@ -263,6 +286,7 @@ pub(super) const THINGS: &[Statement] = &[
             must("normal", &[V("normal", Vector(Any))], "its normal, of any length"),
             COLOR,
             OF,
+            ALONG,
         ],
     ),
 ];

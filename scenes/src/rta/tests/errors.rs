@@ -224,11 +224,11 @@ fn what_does_not_go_together_is_told() {
         ("material a share 1", "5:12: expected \"like\", \"color\", "),
         (
             "sphere at 0 0 1 radius 1 of gold grey",
-            "5:34: expected \"color\" or \"moves\" of the sphere, found \"grey\"",
+            "5:34: expected \"color\", \"moves\" or \"along\" of the sphere, found \"grey\"",
         ),
         (
             "sphere at 0 0 1 radius 1 2",
-            "5:26: expected nothing more, or \"color\", \"of\" or \"moves\" of the sphere, found 2",
+            "5:26: expected nothing more, or \"color\", \"of\", \"moves\" or \"along\" of the sphere, found 2",
         ),
         ("cone from 0 0 0 to 0 0 1 radius 1", "5:17: expected \"radius\" of the cone, found \"to\""),
         (
@@ -271,5 +271,38 @@ fn what_does_not_go_together_is_told() {
         ("up 0 0 1", "2:25: expected \"look\" or \"to\" of the camera, found the end of the line"),
     ] {
         assert_eq!(refused(&format!("rta 1\ncamera at 0 0 0 {camera}")), format!("a.rta:{told}"));
+    }
+}
+
+#[test]
+fn wrong_paths_are_told() {
+    for (line, told) in [
+        ("path up at 0 0 0 0", "5:19: expected a second \"at\" of the path, found the end of the path"),
+        ("path up", "5:8: expected \"at\" of the path, found the end of the line"),
+        ("path up at .5 0 0 0 at .5 0 0 1", "5:24: expected a time of the path after 0.5, found .5"),
+        ("path up at .5 0 0 0 at .25 0 0 1", "5:24: expected a time of the path after 0.5, found .25"),
+        (
+            "path up at 0 0 0 0 at 1.5 0 0 1",
+            "5:23: expected the time of the path (a number from 0 to 1), found 1.5",
+        ),
+        (
+            "path up at 0 0 0 at 1 0 0 1",
+            "5:18: expected the z of the path's place (a number), found \"at\", not a number",
+        ),
+        (
+            "path a at 0 0 0 0 at 1 0 0 1\npath a at 0 0 0 0 at 1 0 0 1",
+            "6:6: expected a new name of the path, found \"a\", which is defined above",
+        ),
+        (
+            "path swing at 0 0 0 0 at 1 0 0 1\nsphere at 0 0 1 radius 1 along swin",
+            "6:32: expected a path defined above, found \"swin\" (did you mean \"swing\"?)",
+        ),
+        ("lamp at 0 0 9 along up", "5:21: expected a path defined above, found \"up\""),
+        (
+            "path a at 0 0 0 0 at 1 0 0 1\nlamp toward 0 0 1 along a",
+            "6:19: expected nothing more of the lamp, found \"along\" beside \"toward\"",
+        ),
+    ] {
+        assert_eq!(wrong(line), format!("a.rta:{told}"));
     }
 }
