@@ -29,6 +29,16 @@ pub enum Error {
     /// The scene cannot be turned into Rust source.
     #[error(transparent)]
     Bake(#[from] BakeError),
+    /// A frame of a film cannot be drawn.
+    #[error("frame {number}, the instant {instant}: {source}")]
+    Frame {
+        /// Its number, from 0.
+        number: u32,
+        /// Its instant.
+        instant: f64,
+        /// Why.
+        source: Box<Self>,
+    },
     /// The picture has no such pixel.
     #[error("pixel {x},{y} is outside the picture, which has columns 0 to {} and rows 0 to {}", size.width() - 1, size.height() - 1)]
     PixelOutside {
@@ -44,11 +54,13 @@ pub enum Error {
 impl Error {
     /// Whether an interrupt or a request to terminate ended the work.
     #[must_use]
-    pub const fn is_interruption(&self) -> bool {
-        matches!(
-            self,
-            Self::Bands(BandsError::Interrupted) | Self::Study(StudyError::Bands(BandsError::Interrupted))
-        )
+    pub fn is_interruption(&self) -> bool {
+        match self {
+            Self::Bands(BandsError::Interrupted)
+            | Self::Study(StudyError::Bands(BandsError::Interrupted)) => true,
+            Self::Frame { source, .. } => source.is_interruption(),
+            _ => false,
+        }
     }
 
     /// Whether a comparison is completed and found a difference, which it has printed.

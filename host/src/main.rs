@@ -63,6 +63,7 @@ fn run(command: Option<Command>) -> Result<(), Error> {
         None => window::run(&ShowArgs::default())?,
         Some(Command::Show(args)) => window::run(&args)?,
         Some(Command::Render(args)) => render::run(&args)?,
+        Some(Command::Juggle(args)) => render::juggle(&args)?,
         Some(Command::Report(args)) => report::run(&args)?,
         Some(Command::Figures(args)) => figures::run(&args)?,
         Some(Command::Instructions(args)) => report::instructions::run(&args)?,

@@ -3,6 +3,9 @@
 /// Eric Graham's Juggler (Amiga, 1987; used with his leave and this mention): 70 spheres, three of them mirrors.
 pub const JUGGLER: &str = include_str!("../juggler.dat");
 
+/// The Juggler with balls that fly, and an eye that moves a little, in the scene language.
+pub const JUGGLING: &str = include_str!("../juggler.rta");
+
 /// A hall of 22 objects, half of them mirrors, as the thesis timed on the RT PC.
 pub const HALL_22: &str = include_str!("../hall-22.dat");
 

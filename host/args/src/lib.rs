@@ -16,7 +16,7 @@ use clap::{Parser, Subcommand};
 pub use advice::parse;
 pub use explain::{Choice, ExplainArgs};
 pub use pages::{CompletionsArgs, ManArgs};
-pub use picture::{HashArgs, RenderArgs, ShowArgs};
+pub use picture::{DrawingArgs, FilmArgs, HashArgs, JuggleArgs, RenderArgs, ShowArgs};
 pub use scene::{BakeArgs, CheckArgs, ConvertArgs, ReadingArgs};
 pub use study::{
     BenchArgs, CompareArgs, DifferenceArgs, FiguresArgs, IndexingArgs, InstructionsArgs, PaletteArgs, Peer,
@@ -67,6 +67,10 @@ pub enum Command {
     /// devices are written directly. A line on standard error tells of the picture. The bytes do not depend on the number of threads.
     #[command(after_help = EXAMPLES)]
     Render(RenderArgs),
+    /// Draw the Juggler's film: Eric Graham's figure of 1987, whose three balls fly
+    ///
+    /// 24 frames, as his, unless --frames says otherwise; all options are those of rta render, and the scene is scenes/juggler.rta.
+    Juggle(JuggleArgs),
     /// Put every number format through the cases that break ray tracers, beside f64
     ///
     /// One row for each case and format: panics, overflows, lights that are no number, points that shadow themselves,

@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 
+use super::choice;
 use super::tracing::TracingArgs;
 use crate::value::device::{Device, Target};
 use crate::value::file_type::FileType;
@@ -30,13 +31,30 @@ impl Default for ShowArgs {
 
 /// `rta render`.
 #[derive(Args, Debug)]
+#[command(mut_arg("one_table", |one_table| one_table.requires("frames")))]
 pub struct RenderArgs {
     /// Scene file (.rta, .dat, .nff or .p3f), or - for standard input
     pub scene: PathBuf,
+    /// What is drawn of it, and into which file.
+    #[command(flatten)]
+    pub drawing: DrawingArgs,
+}
+
+/// `rta juggle`.
+#[derive(Args, Debug)]
+pub struct JuggleArgs {
+    /// What is drawn, and into which file.
+    #[command(flatten)]
+    pub drawing: DrawingArgs,
+}
+
+/// A picture or a film, and its file.
+#[derive(Args, Clone, Debug)]
+pub struct DrawingArgs {
     /// Picture file; its extension tells the kind (see --as); - is standard output
     ///
-    /// A PNG or BMP from a device is indexed, with the device's own colour table. PFM and HDR hold linear light, unclamped, and need
-    /// --device none.
+    /// A PNG, BMP or GIF from a device is indexed, with the device's own colour table. PFM and HDR hold linear light, unclamped, and need
+    /// --device none; a GIF needs a device.
     #[arg(short, long, value_name = "FILE")]
     pub output: PathBuf,
     /// The display to emulate, or none for 8 bits a gun without a colour table
@@ -48,9 +66,28 @@ pub struct RenderArgs {
     /// Say nothing but warnings and errors: no progress bar, and no line about the picture at the end
     #[arg(short, long)]
     pub quiet: bool,
+    /// The scene's film.
+    #[command(flatten)]
+    pub film: FilmArgs,
     /// How the picture is traced.
     #[command(flatten)]
     pub tracing: TracingArgs,
+}
+
+/// A film: the frames of a scene, one after the other in one file.
+#[derive(Args, Clone, Copy, Debug)]
+pub struct FilmArgs {
+    /// A film of so many frames in a .gif, .png (animated) or .ppm (one after the other): frame K is of the instant K/N
+    ///
+    /// Each is, byte for byte, the picture of --instant K/N. The film is shown again and again.
+    #[arg(long, value_name = "N", value_parser = choice::whole(1..=65_535_u32), conflicts_with = "instant")]
+    pub frames: Option<u32>,
+    /// Frames of the film in a second; a GIF rounds the time of each to hundredths of a second
+    #[arg(long, value_name = "N", default_value_t = 20, value_parser = choice::whole(1_u16..=50))]
+    pub rate: u16,
+    /// One colour table for all frames of the film, made from all of them, and not one for each
+    #[arg(long)]
+    pub one_table: bool,
 }
 
 /// `rta hash`. Its number format is fixed point unless another is asked for: only there do all machines arrive at one hash.

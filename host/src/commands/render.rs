@@ -11,8 +11,9 @@ use rta_drivers::checksum::{Checksum, Unseen};
 use rta_drivers::display::{expand, reduce};
 use rta_drivers::painter::Painter;
 use rta_drivers::quantize::ColorTable;
+use rta_scenes::shipped;
 
-use crate::args::RenderArgs;
+use crate::args::{DrawingArgs, JuggleArgs, RenderArgs};
 use crate::engine::Engine;
 use crate::engine::bands::{self, BandsError};
 use crate::engine::interrupt;
@@ -30,32 +31,75 @@ use crate::picture::output::{Failure, PictureOutput};
 use crate::picture::raster::Size;
 use crate::picture::screen::{Screen, parts};
 use crate::request::Request;
+use crate::request::error::RequestError;
 use crate::request::scene_file::SceneFile;
+use film::Film;
 
-/// Runs `rta render`. Errors of the options, the scene and the output are found before the first ray, and a file is only
-/// replaced once the picture is complete.
+mod film;
+
+/// Frames of the Juggler's film of 1987, after which it begins anew.
+const JUGGLER_FRAMES: u32 = 24;
+
+/// Runs `rta render`.
 ///
 /// # Errors
 /// All of [`Error`].
 pub fn run(args: &RenderArgs) -> Result<(), Error> {
+    let RenderArgs { scene, drawing } = args;
+    draw(drawing, || SceneFile::open_as(scene, drawing.tracing.reading.into()))
+}
+
+/// Runs `rta juggle`.
+///
+/// # Errors
+/// All of [`Error`].
+pub fn juggle(args: &JuggleArgs) -> Result<(), Error> {
+    let mut drawing = args.drawing.clone();
+    if drawing.tracing.reading.instant.is_none() {
+        drawing.film.frames.get_or_insert(JUGGLER_FRAMES);
+    }
+    draw(&drawing, || SceneFile::of_text("juggler", shipped::JUGGLING, drawing.tracing.reading.into()))
+}
+
+/// Draws a scene into a file. Errors of the options, the scene and the output are found before the first ray, and a file is only
+/// replaced once the picture is complete.
+fn draw(args: &DrawingArgs, scene: impl FnOnce() -> Result<SceneFile, RequestError>) -> Result<(), Error> {
     let began = Instant::now();
     Request::of(&args.tracing, args.device).raster()?;
     let output = PictureOutput::open(&args.output, args.file_type)?;
     let file_type = output.file_type();
-    if let (true, Target::On(device)) = (file_type.is_linear(), args.device) {
-        return Err(PictureError::LinearFromDevice { file_type, device }.into());
+    match args.device {
+        Target::On(device) if file_type.is_linear() => {
+            return Err(PictureError::LinearFromDevice { file_type, device }.into());
+        }
+        Target::None if file_type.needs_table() => return Err(PictureError::NeedsTable(file_type).into()),
+        _ => {}
     }
-    let scene = SceneFile::open_as(&args.scene, args.tracing.reading.into())?;
+    if args.film.frames.is_some() && !file_type.holds_films() {
+        return Err(PictureError::OnePicture(file_type).into());
+    }
+    let scene = scene()?;
     let output = output.beside(&scene.inputs)?;
     let request = Request::of_scene(&args.tracing, args.device, &scene)?;
-    let work = Work::new(&request, &scene, args.tracing.threads, interrupt::watch())?.quiet(args.quiet);
-    if !args.quiet {
-        request.fit(work.aspect).advise(&scene);
+    let (size, aspect) = request.raster()?;
+    let mut caption = request.caption(&scene);
+    let advise = || {
+        if !args.quiet {
+            request.fit(aspect).advise(&scene);
+        }
+    };
+    if let Some(frames) = args.film.frames {
+        caption.settings += &format!(", {frames} frames, {} in a second", args.film.rate);
+        let film = Film::new(&request, &scene, args);
+        advise();
+        output.fill(|out| film.write(file_type, &caption, out))?;
+    } else {
+        let work = Work::new(&request, &scene, args.tracing.threads, interrupt::watch())?.quiet(args.quiet);
+        advise();
+        output.fill(|out| work.write(file_type, &caption, out))?;
     }
-    let caption = request.caption(&scene);
-    output.fill(|out| work.write(file_type, &caption, out))?;
     if !args.quiet {
-        let (picture, size, settings) = (name(&args.output), work.size, &caption.settings);
+        let (picture, settings) = (name(&args.output), &caption.settings);
         let seconds = began.elapsed().as_secs_f64();
         // Whoever has closed standard error does not want to know.
         let _ = writeln!(io::stderr(), "rta: {picture}: {file_type}, {size}, {settings}; {seconds:.2} s");
@@ -157,13 +201,9 @@ impl<'a> Work<'a> {
     pub fn displayed(&self) -> Result<Displayed, Error> {
         match self.request.target {
             Target::On(device) => {
-                let coloring = self.request.coloring;
-                let shape = (self.size, self.aspect);
+                let (coloring, shape) = (self.request.coloring, (self.size, self.aspect));
                 let mut screen = Screen::new((device, coloring), shape, |lattice| self.on_grid(lattice))?;
-                let most = coloring.light_max(device.capabilities());
-                let trace = |first, light: &mut [_]| self.engine.level_rows(first, most, light);
-                self.trace(trace, |first, light| Ok::<_, Error>(screen.put_rows(first, &light)?))?;
-                Ok(screen.picture()?)
+                self.shown_on(device, &mut screen)
             }
             Target::None => {
                 let trace = |first, levels: &mut [_]| self.engine.level_rows(first, u8::MAX, levels);
@@ -171,6 +211,17 @@ impl<'a> Work<'a> {
                 Ok(Displayed { size: self.size, aspect: self.aspect, pixels })
             }
         }
+    }
+
+    /// Traces the picture onto the screen of a device, and returns what it shows then.
+    ///
+    /// # Errors
+    /// [`BandsError::Interrupted`] and [`PictureError::Display`].
+    pub(super) fn shown_on(&self, device: Device, screen: &mut Screen) -> Result<Displayed, Error> {
+        let most = self.request.coloring.light_max(device.capabilities());
+        let trace = |first, light: &mut [_]| self.engine.level_rows(first, most, light);
+        self.trace(trace, |first, light| Ok::<_, Error>(screen.put_rows(first, &light)?))?;
+        Ok(screen.picture()?)
     }
 
     /// Traces the picture onto a device that nobody sees and returns the hash of what the device was sent.
@@ -207,7 +258,7 @@ impl<'a> Work<'a> {
     }
 
     /// Traces the pixels of a grid, of which a colour table is made.
-    fn on_grid(&self, lattice: Lattice) -> Result<Vec<Rgb<u8>>, Error> {
+    pub(super) fn on_grid(&self, lattice: Lattice) -> Result<Vec<Rgb<u8>>, Error> {
         Ok(self.engine.on_grid(lattice, &self.pool, self.stop)?)
     }
 

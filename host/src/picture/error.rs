@@ -41,6 +41,12 @@ pub enum PictureError {
         /// The device.
         device: Device,
     },
+    /// A file with a colour table was asked for a picture without one.
+    #[error("a {0} has a colour table, which --device none has not")]
+    NeedsTable(FileType),
+    /// A film was asked of a kind of file that holds one picture.
+    #[error("a {0} holds one picture: a film needs a .gif, .png or .ppm")]
+    OnePicture(FileType),
     /// The output cannot be written.
     #[error("cannot write {}: {}", name(path), reason(source))]
     Write {

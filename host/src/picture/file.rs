@@ -1,4 +1,4 @@
-//! Pictures as files: PNG, PPM and PFM, and what the `image` crate writes.
+//! Pictures as files: PNG, PPM and PFM, films, and what the `image` crate writes.
 //!
 //! All but two hold what a display shows: levels of its guns, scaled to 8 bits, with no gamma applied and none
 //! stated, so that they look as they do in the window. PFM and Radiance HDR hold linear light before any display,
@@ -10,8 +10,11 @@ use std::io::{self, Write};
 use rta_core::color::Rgb;
 
 use super::raster::{Size, fraction};
+#[cfg(feature = "image")]
+use film::FilmWriter;
 pub use rta_args::value::file_type::FileType;
 
+pub mod film;
 #[cfg(feature = "image")]
 pub mod other;
 pub mod reading;
@@ -62,6 +65,12 @@ impl Displayed {
             #[cfg(feature = "image")]
             FileType::Bmp => self.write_bmp(out),
             #[cfg(feature = "image")]
+            FileType::Gif => {
+                let mut film = FilmWriter::new(file_type, self.shape(), (1, 1), None, caption, out)?;
+                film.frame(self)?;
+                film.finish()
+            }
+            #[cfg(feature = "image")]
             FileType::Tga => self.write_tga(out),
             #[cfg(feature = "image")]
             FileType::Qoi => self.write_qoi(out),
@@ -69,6 +78,12 @@ impl Displayed {
             FileType::Hdr => Err(io::ErrorKind::Unsupported.into()),
             FileType::Pfm => Err(io::ErrorKind::Unsupported.into()),
         }
+    }
+
+    /// Returns its pixels in a row and in a column, and the shape of the screen that it fills.
+    #[must_use]
+    pub const fn shape(&self) -> (Size, f64) {
+        (self.size, self.aspect)
     }
 
     /// Writes a PNG: indexed with its colour table, or with 8-bit RGB, and with the shape of its pixels (pHYs).
@@ -133,13 +148,18 @@ fn info(size: Size, aspect: f64) -> png::Info<'static> {
     info
 }
 
-/// Writes the part of a PNG that comes before its pixels.
-fn header<W: Write>(info: png::Info, caption: &Caption, out: W) -> io::Result<png::Writer<W>> {
+/// Begins a PNG with its texts.
+fn start<'a, W: Write>(info: png::Info<'a>, caption: &Caption, out: W) -> io::Result<png::Encoder<'a, W>> {
     let mut encoder = png::Encoder::with_info(out, info)?;
     encoder.add_text_chunk("Software".into(), concat!("rta ", env!("CARGO_PKG_VERSION")).into())?;
     encoder.add_itxt_chunk("Title".into(), caption.title.clone())?;
     encoder.add_itxt_chunk("Comment".into(), caption.settings.clone())?;
-    Ok(encoder.write_header()?)
+    Ok(encoder)
+}
+
+/// Writes the part of a PNG that comes before its pixels.
+fn header<W: Write>(info: png::Info, caption: &Caption, out: W) -> io::Result<png::Writer<W>> {
+    Ok(start(info, caption, out)?.write_header()?)
 }
 
 /// Writes a PNG with 8-bit RGB. `fill` writes the registers of its pixels, from left to right and from top to bottom.

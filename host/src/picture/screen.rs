@@ -78,11 +78,22 @@ impl Screen {
         (size, aspect): (Size, f64),
         light: impl FnOnce(Lattice) -> Result<Vec<Rgb<u8>>, E>,
     ) -> Result<Self, E> {
+        Self::with(device, (size, aspect), parts(device, coloring, size, light)?)
+    }
+
+    /// Switches `device` on with a colour table and a dithering.
+    ///
+    /// # Errors
+    /// Those of [`Screen::new`].
+    pub fn with<E: From<PictureError>>(
+        device: Device,
+        (size, aspect): (Size, f64),
+        parts: (Table, Dithering),
+    ) -> Result<Self, E> {
         let whole = device.size();
         if size.width() > whole.width() || size.height() > whole.height() {
             return Err(PictureError::LargerThanDevice { size, device }.into());
         }
-        let parts = parts(device, coloring, size, light)?;
         Ok(Self { canvas: switch_on(device, parts)?, device, size, aspect })
     }
 

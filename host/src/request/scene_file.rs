@@ -123,8 +123,14 @@ impl SceneFile {
     ///
     /// # Errors
     /// [`RequestError::Scene`] if the text is malformed.
-    pub fn of_text(title: &str, text: &str) -> Result<Self, RequestError> {
-        Self::parse(&format!("{title}.rta"), title, text.as_bytes(), Reading::default())
+    pub fn of_text(title: &str, text: &str, reading: Reading) -> Result<Self, RequestError> {
+        Self::parse(&format!("{title}.rta"), title, text.as_bytes(), reading)
+    }
+
+    /// Returns the scene as it is at an instant of its film, 0 to 1.
+    #[must_use]
+    pub fn at(&self, instant: f64) -> Self {
+        Self { description: self.description.at(instant), ..self.clone() }
     }
 
     fn parse(source: &str, title: &str, text: &[u8], reading: Reading) -> Result<Self, RequestError> {

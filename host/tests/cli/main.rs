@@ -7,6 +7,7 @@ use std::process::Output;
 
 mod bench;
 mod figures;
+mod film;
 mod firmware;
 mod folder;
 mod language;

@@ -17,6 +17,9 @@ pub enum FileType {
     /// Windows bitmap: with the device's colour table if there is a device.
     #[cfg(feature = "image")]
     Bmp,
+    /// Graphics Interchange Format: with the device's colour table, also for films.
+    #[cfg(feature = "image")]
+    Gif,
     /// Truevision TGA with 24 bits a pixel.
     #[cfg(feature = "image")]
     Tga,
@@ -36,6 +39,27 @@ impl FileType {
             Self::Pfm => true,
             #[cfg(feature = "image")]
             Self::Hdr => true,
+            _ => false,
+        }
+    }
+
+    /// Returns whether the file holds a whole film, in which one frame follows another.
+    #[must_use]
+    pub const fn holds_films(self) -> bool {
+        match self {
+            Self::Png | Self::Ppm => true,
+            #[cfg(feature = "image")]
+            Self::Gif => true,
+            _ => false,
+        }
+    }
+
+    /// Returns whether the file cannot do without a colour table.
+    #[must_use]
+    pub const fn needs_table(self) -> bool {
+        match self {
+            #[cfg(feature = "image")]
+            Self::Gif => true,
             _ => false,
         }
     }
@@ -62,6 +86,8 @@ impl fmt::Display for FileType {
             Self::Pfm => "PFM",
             #[cfg(feature = "image")]
             Self::Bmp => "BMP",
+            #[cfg(feature = "image")]
+            Self::Gif => "GIF",
             #[cfg(feature = "image")]
             Self::Tga => "TGA",
             #[cfg(feature = "image")]

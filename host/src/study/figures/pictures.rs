@@ -1,6 +1,6 @@
 //! The figures that are pictures, each traced from a scene in the language `.rta`.
 
-use rta_scenes::shipped;
+use rta_scenes::{Reading, shipped};
 
 use super::Tracing;
 use crate::args::TracingArgs;
@@ -62,7 +62,7 @@ sphere at 2.3 0 1  radius 1  of c
 
 /// Returns a sheet of a scene by several models.
 fn sheet(name: &str, text: &str, models: &[Model], tracing: &Tracing) -> Result<Displayed, StudyError> {
-    let scene = SceneFile::of_text(name, text)?;
+    let scene = SceneFile::of_text(name, text, Reading::default())?;
     let request = Request::of_scene(&TracingArgs::default(), Target::None, &scene)?;
     let cells = cells(models, &request, &scene, tracing.pool, tracing.stop)?;
     displayed(&stacked(&cells.chunks(ACROSS).map(beside).collect::<Vec<_>>()))
@@ -95,7 +95,7 @@ pub(super) fn prism(tracing: &Tracing) -> Result<Displayed, StudyError> {
 
 /// Returns the picture of a scene as its file has it.
 fn whole(name: &str, text: &str, tracing: &Tracing) -> Result<Displayed, StudyError> {
-    let scene = SceneFile::of_text(name, text)?;
+    let scene = SceneFile::of_text(name, text, Reading::default())?;
     let request = Request::of_scene(&TracingArgs::default(), Target::None, &scene)?;
     let Traced { size, aspect, reference, .. } = Traced::new(&request, &scene, tracing.pool, tracing.stop)?;
     Ok(Displayed { size, aspect, pixels: Pixels::Direct(reference) })

@@ -1,0 +1,111 @@
+//! Films: the frames of a scene whose things move, one after the other.
+
+use std::io::Write;
+
+use rta_core::raster::Raster;
+use rta_core::raster::lattice::Lattice;
+
+use super::Work;
+use crate::args::DrawingArgs;
+use crate::engine::interrupt;
+use crate::engine::progress::Progress;
+use crate::error::Error;
+use crate::picture::coloring::Table;
+use crate::picture::device::{Device, Target};
+use crate::picture::error::PictureError;
+use crate::picture::file::film::FilmWriter;
+use crate::picture::file::{Caption, Displayed, FileType, Pixels};
+use crate::picture::output::Failure;
+use crate::picture::screen::Screen;
+use crate::request::Request;
+use crate::request::scene_file::SceneFile;
+
+/// A film that is asked for.
+pub(super) struct Film<'a> {
+    request: &'a Request,
+    scene: &'a SceneFile,
+    args: &'a DrawingArgs,
+    frames: u32,
+}
+
+impl<'a> Film<'a> {
+    pub(super) fn new(request: &'a Request, scene: &'a SceneFile, args: &'a DrawingArgs) -> Self {
+        Self { request, scene, args, frames: args.film.frames.unwrap_or(1) }
+    }
+
+    /// Draws the frames and writes them. Where each has a table of its own, no more than one is held in memory.
+    pub(super) fn write(
+        &self,
+        file_type: FileType,
+        caption: &Caption,
+        out: &mut dyn Write,
+    ) -> Result<(), Failure<Error>> {
+        let (shape, pace) = (self.request.raster()?, (self.frames, self.args.film.rate));
+        let progress = (!self.args.quiet).then(|| Progress::new(self.frames));
+        match self.request.target {
+            Target::On(device) if self.args.film.one_table => {
+                let pictures = self.on_one_screen(device, progress)?;
+                let table = pictures.last().and_then(|last| match &last.pixels {
+                    Pixels::Indexed { palette, .. } => Some(palette.as_slice()),
+                    Pixels::Direct(_) => None,
+                });
+                let mut film = FilmWriter::new(file_type, shape, pace, table, caption, out)?;
+                pictures.iter().try_for_each(|picture| film.frame(picture))?;
+                Ok(film.finish()?)
+            }
+            _ => {
+                let mut film = FilmWriter::new(file_type, shape, pace, None, caption, out)?;
+                self.each(progress, |work| Ok::<_, Failure<Error>>(film.frame(&work.displayed()?)?))?;
+                Ok(film.finish()?)
+            }
+        }
+    }
+
+    /// Returns the frames as a device shows them whose colour table stays: it is made from samples of all of them. A table that grows
+    /// while a picture is drawn goes on growing from frame to frame.
+    fn on_one_screen(&self, device: Device, progress: Option<Progress>) -> Result<Vec<Displayed>, Error> {
+        let (coloring, capabilities) = (self.request.coloring, device.capabilities());
+        let (size, aspect) = self.request.raster()?;
+        let raster = Raster::new(size.width(), size.height()).map_err(PictureError::display)?;
+        let most = coloring.samples();
+        let frames = usize::try_from(self.frames).unwrap_or(usize::MAX);
+        let lattice = Lattice::new(raster, (most / frames).max(1));
+        let mut samples = Vec::new();
+        if most > 0 {
+            self.each(None, |work| {
+                samples.extend(work.on_grid(lattice)?);
+                Ok::<_, Error>(())
+            })?;
+        }
+        let table = coloring.table(capabilities, &samples, lattice.grid().width());
+        let table = Table(table.map_err(PictureError::display)?);
+        let dithering = coloring.dithering(capabilities, size.columns()).map_err(PictureError::display)?;
+        let mut screen = Screen::with::<Error>(device, (size, aspect), (table, dithering))?;
+        let mut pictures = Vec::new();
+        self.each(progress, |work| {
+            pictures.try_reserve(1).map_err(|_| PictureError::Memory(size))?;
+            pictures.push(work.shown_on(device, &mut screen)?);
+            Ok::<_, Error>(())
+        })?;
+        Ok(pictures)
+    }
+
+    /// Calls `draw` with each frame, ready to be traced.
+    fn each<E: From<Error>>(
+        &self,
+        mut progress: Option<Progress>,
+        mut draw: impl FnMut(&Work<'_>) -> Result<(), E>,
+    ) -> Result<(), E> {
+        for number in 0..self.frames {
+            let instant = f64::from(number) / f64::from(self.frames);
+            let still = self.scene.at(instant);
+            let work = Work::new(self.request, &still, self.args.tracing.threads, interrupt::watch());
+            let in_frame = |source| Error::Frame { number, instant, source: Box::new(source) };
+            draw(&work.map_err(in_frame)?.quiet(true))?;
+            if let Some(progress) = &mut progress {
+                progress.reached(number + 1);
+            }
+        }
+        Ok(())
+    }
+}
