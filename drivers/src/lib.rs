@@ -24,6 +24,14 @@
 //! bus         Ports, Memory, Registers          what a machine has to supply
 //! ```
 //!
+//! Displays without a colour table have layers of their own, which share the dithering:
+//!
+//! ```text
+//! direct      DirectPainter<DirectDisplay, _>   rows of light in, a picture out
+//! dither      DirectDither: Plain, Bayer, Diffusion
+//! direct      DirectDisplay                     a raster of levels, of three guns or of one
+//! ```
+//!
 //! [`checksum::Checksum`] is a [`display::Display`] that wraps another one and hashes what is sent to it: the test of a
 //! port to another machine.
 //!
@@ -34,7 +42,7 @@
 //! Where to begin depends on what you have:
 //!
 //! - a picture to be shown on one of the three devices: [`painter::Painter`] has an example;
-//! - another display: read on below, "For authors of a driver";
+//! - another display: read on below, "For authors of a driver", or [`direct`] if it has no colour table;
 //! - another machine with one of these devices: see "For authors of a bus".
 //!
 //! # For authors of a driver
@@ -148,9 +156,11 @@
 
 pub mod bus;
 pub mod checksum;
+pub mod direct;
 pub mod display;
 pub mod dither;
 pub mod graphigs;
+pub mod guns;
 pub mod painter;
 pub mod pixrect;
 pub mod quantize;
