@@ -30,6 +30,7 @@
 //! direct      DirectPainter<DirectDisplay, _>   rows of light in, a picture out
 //! dither      DirectDither: Plain, Bayer, Diffusion
 //! direct      DirectDisplay                     a raster of levels, of three guns or of one
+//!   target      Target over any DrawTarget        of embedded-graphics (feature `embedded-graphics`)
 //! ```
 //!
 //! [`checksum::Checksum`] is a [`display::Display`] that wraps another one and hashes what is sent to it: the test of a
@@ -164,6 +165,8 @@ pub mod guns;
 pub mod painter;
 pub mod pixrect;
 pub mod quantize;
+#[cfg(feature = "embedded-graphics")]
+pub mod target;
 pub mod vga13h;
 
 /// The code of the README, compiled and run with the other examples.

@@ -12,6 +12,7 @@ mod graphigs;
 mod palette;
 mod pixrect;
 mod quantize;
+mod target;
 mod vga13h;
 
 use rta_core::color::Rgb;
