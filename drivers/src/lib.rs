@@ -3,7 +3,8 @@
 //! A display of the early 1990s shows few colours at once. It keeps them in a colour table, and a pixel is the index
 //! of an entry. This crate holds what turns a picture into indices, and drivers for the three machines of the thesis
 //! on which the ray tracer is modelled ("Modelos matemáticos de iluminación para la síntesis de imagen", UNAM): an
-//! IBM PS/2 with a VGA in mode 13h, an IBM RT PC with graPHIGS, and a SUN SPARCstation with PIXRECT.
+//! IBM PS/2 with a VGA in mode 13h, an IBM RT PC with graPHIGS, and a SUN SPARCstation with PIXRECT. A fourth is of our century: the OLED of
+//! a microcontroller's evaluation board, which shows 16 greys.
 //!
 //! It is `no_std`, and nothing in it needs a heap, an operating system, floating point or `unsafe`.
 //!
@@ -30,13 +31,14 @@
 //! direct      DirectPainter<DirectDisplay, _>   rows of light in, a picture out
 //! dither      DirectDither: Plain, Bayer, Diffusion
 //! direct      DirectDisplay                     a raster of levels, of three guns or of one
+//!   ssd0323     Ssd0323 over bus::CommandData     commands of an OLED's controller
 //!   target      Target over any DrawTarget        of embedded-graphics (feature `embedded-graphics`)
 //! ```
 //!
 //! [`checksum::Checksum`] is a [`display::Display`] that wraps another one and hashes what is sent to it: the test of a
 //! port to another machine.
 //!
-//! Each device has an emulated counterpart (`vga13h::emulated`, `graphigs::emulated`, `pixrect::emulated`). It is a
+//! Each device has an emulated counterpart (`vga13h::emulated`, `graphigs::emulated`, `pixrect::emulated`, `ssd0323::emulated`). It is a
 //! state machine of the real registers or of the API, on which programs and tests run where there is no such machine.
 //! On a real machine the same driver runs over a bus that the firmware implements.
 //!
@@ -105,7 +107,7 @@
 //! # For authors of a bus
 //!
 //! Implement the traits of [`bus`] that the driver asks for, on the type of your firmware that owns the device:
-//! [`bus::Ports`] and [`bus::Memory`] for a VGA, [`bus::Registers`] and [`bus::Memory`] for a cgthree. Nothing else of
+//! [`bus::Ports`] and [`bus::Memory`] for a VGA, [`bus::Registers`] and [`bus::Memory`] for a cgthree, [`bus::CommandData`] for an SSD0323. Nothing else of
 //! the crate has to change. [`bus`] says what an implementation must guarantee; `tests/boards/pc` and
 //! `tests/boards/sparc` of the repository hold the buses of two machines that boot.
 //!
@@ -165,6 +167,7 @@ pub mod guns;
 pub mod painter;
 pub mod pixrect;
 pub mod quantize;
+pub mod ssd0323;
 #[cfg(feature = "embedded-graphics")]
 pub mod target;
 pub mod vga13h;

@@ -12,6 +12,7 @@ mod graphigs;
 mod palette;
 mod pixrect;
 mod quantize;
+mod ssd0323;
 mod target;
 mod vga13h;
 
