@@ -51,7 +51,7 @@ fn picture(file: &Path) -> Result<(), Error> {
 }
 
 fn main() -> Result<(), Error> {
-    let file = std::env::args_os().nth(1).map_or_else(|| "target.png".into(), PathBuf::from);
+    let file = std::env::args_os().nth(1).map_or_else(|| "rta-target.png".into(), PathBuf::from);
     picture(&file)?;
     println!("{}", file.display());
     Ok(())
