@@ -107,9 +107,9 @@
 //! # For authors of a bus
 //!
 //! Implement the traits of [`bus`] that the driver asks for, on the type of your firmware that owns the device:
-//! [`bus::Ports`] and [`bus::Memory`] for a VGA, [`bus::Registers`] and [`bus::Memory`] for a cgthree, [`bus::CommandData`] for an SSD0323. Nothing else of
-//! the crate has to change. [`bus`] says what an implementation must guarantee; `tests/boards/pc` and
-//! `tests/boards/sparc` of the repository hold the buses of two machines that boot.
+//! [`bus::Ports`] and [`bus::Memory`] for a VGA, [`bus::Registers`] and [`bus::Memory`] for a cgthree, [`bus::CommandData`] for an SSD0323.
+//! Nothing else of the crate has to change. [`bus`] says what an implementation must guarantee; `tests/boards/pc`, `tests/boards/sparc` and
+//! `tests/boards/cortex-m` of the repository hold the buses of three machines that boot.
 //!
 //! In this example an array stands for the video memory, and the ports are only counted. On a PC the methods would
 //! execute `out` and `in`, and access A0000h with `write_volatile` and `read_volatile`.
