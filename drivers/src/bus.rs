@@ -1,9 +1,9 @@
-//! How a driver reaches the hardware: three small traits, [`Ports`], [`Memory`] and [`Registers`].
+//! How a driver reaches the hardware: small traits, [`Ports`], [`Memory`], [`Registers`] and [`CommandData`].
 //!
 //! # For driver authors
 //!
 //! Be generic over the bus, and ask for no more traits than the device needs: the VGA driver asks for
-//! `B: Ports + Memory`, the Sun cgthree for `B: Registers + Memory`. Offsets count from the start of the device, so the
+//! `B: Ports + Memory`, the Sun cgthree for `B: Registers + Memory`, the SSD0323 for `B: CommandData`. Offsets count from the start of the device, so the
 //! addresses at which a machine has it do not concern the driver.
 //!
 //! # For bus authors
@@ -13,8 +13,8 @@
 //! three duties: accesses reach the device in the order in which they are made, none is left out or merged with
 //! another, and an offset outside the device touches nothing. The head of the crate has an example.
 //!
-//! The emulated devices ([`crate::vga13h::emulated`], [`crate::pixrect::emulated`]) implement the same traits, so one
-//! driver serves both.
+//! The emulated devices ([`crate::vga13h::emulated`], [`crate::pixrect::emulated`], [`crate::ssd0323::emulated`]) implement the same
+//! traits, so one driver serves both.
 //!
 //! No call returns an error, because the hardware reports none: a port that nobody answers reads as FFh.
 
@@ -48,6 +48,24 @@ pub trait Registers {
     fn read8(&mut self, offset: u32) -> u8;
     /// Writes one word of 32 bits in a single access. Its most significant byte has the lowest address.
     fn write32(&mut self, offset: u32, value: u32);
+}
+
+/// A serial bus to a display controller, which is written only. A line beside it, D/C, tells commands from what is for the controller's
+/// graphic memory.
+pub trait CommandData {
+    /// Sends the bytes of commands and their arguments.
+    fn command(&mut self, bytes: &[u8]);
+    /// Sends bytes for the graphic memory.
+    fn data(&mut self, bytes: &[u8]);
+}
+
+impl<T: CommandData + ?Sized> CommandData for &mut T {
+    fn command(&mut self, bytes: &[u8]) {
+        T::command(self, bytes);
+    }
+    fn data(&mut self, bytes: &[u8]) {
+        T::data(self, bytes);
+    }
 }
 
 impl<T: Ports + ?Sized> Ports for &mut T {

@@ -37,11 +37,7 @@ impl Capabilities {
     /// # Errors
     /// [`DriverError::OutOfBounds`] if one does not.
     pub fn check_pixels<E>(&self, x: u32, y: u32, len: usize) -> Result<(), DriverError<E>> {
-        let room = self.width.checked_sub(x).and_then(|room| usize::try_from(room).ok());
-        match room {
-            Some(room) if y < self.height && len <= room => Ok(()),
-            _ => Err(DriverError::OutOfBounds { x, y, len }),
-        }
+        check_row((self.width, self.height), x, y, len)
     }
 
     /// Checks that the colour table has `len` entries from `first` up.
@@ -76,6 +72,18 @@ impl Capabilities {
             None => Ok(()),
             Some(&index) => Err(DriverError::Index { index }),
         }
+    }
+}
+
+/// Checks that `len` pixels from (`x`, `y`) to the right lie on a screen of the given width and height.
+///
+/// # Errors
+/// [`DriverError::OutOfBounds`] if one does not.
+pub fn check_row<E>((width, height): (u32, u32), x: u32, y: u32, len: usize) -> Result<(), DriverError<E>> {
+    let room = width.checked_sub(x).and_then(|room| usize::try_from(room).ok());
+    match room {
+        Some(room) if y < height && len <= room => Ok(()),
+        _ => Err(DriverError::OutOfBounds { x, y, len }),
     }
 }
 

@@ -7,6 +7,8 @@
 //! | [`Diffusion`] | 4 bytes for each pixel of a row | the error of a pixel goes to its neighbours that are drawn later |
 //! | [`Ordered`] | none | a fixed pattern of thresholds |
 //!
+//! Displays without a colour table have their own trait, [`DirectDither`], and the same three ways; there the pattern is [`Bayer`].
+//!
 //! Which is best depends on the table and on how large the pixels are to the eye. With a table made for the picture
 //! ([`crate::quantize::variance_cut`]), none is best on mode 13h at its own distance, where each pixel is seen, and diffusion on screens
 //! with finer pixels and few levels of the guns. With a uniform table, ordered dithering or diffusion of all of the error is far better
@@ -19,11 +21,12 @@ mod ordered;
 
 use rta_core::color::Rgb;
 
-use crate::display::expand;
+use crate::display::{expand, reduce};
+use crate::guns::Guns;
 use crate::quantize::ColorTable;
 
-pub use diffusion::{Cell, Damped, Diffusion, DitherError, FloydSteinberg, Weights};
-pub use ordered::{Ordered, bayer, ordered};
+pub use diffusion::{Cell, Column, Damped, Diffusion, DirectCell, DitherError, FloydSteinberg, Weights};
+pub use ordered::{Bayer, Ordered, bayer, ordered};
 
 /// A way of dithering, as [`Painter`](crate::painter::Painter) uses it.
 pub trait Dither {
@@ -56,7 +59,27 @@ pub trait Dither {
     }
 }
 
-/// No dithering: each pixel gets the entry nearest to it.
+/// A way of dithering for a display with direct colour, as [`DirectPainter`](crate::direct::DirectPainter) uses it.
+pub trait DirectDither<G: Guns> {
+    /// Begins a row of `len` pixels from column `x` of row `y`. Returns whether its pixels are to come from right to left; then
+    /// [`DirectDither::drawn`] tells their levels after the last one.
+    fn start_row(&mut self, x: u32, y: u32, len: usize) -> bool {
+        let _ = (x, y, len);
+        false
+    }
+
+    /// Returns the levels, 0..=`gun_max` of each gun, for the next pixel of the row, which is at column `x` of row `y`. `light` has 8 bits
+    /// a gun.
+    fn levels(&mut self, gun_max: G::Each<u8>, place: (u32, u32), light: G::Each<u8>) -> G::Each<u8>;
+
+    /// Returns the levels of the pixel at column `x` of a row that came from right to left.
+    fn drawn(&self, x: u32) -> G::Each<u8> {
+        let _ = x;
+        G::Each::default()
+    }
+}
+
+/// No dithering: each pixel gets the entry, or the levels, nearest to it.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Plain;
 
@@ -73,6 +96,12 @@ impl Dither for Plain {
         light: Rgb<u8>,
     ) -> u8 {
         table.index(light)
+    }
+}
+
+impl<G: Guns> DirectDither<G> for Plain {
+    fn levels(&mut self, gun_max: G::Each<u8>, _place: (u32, u32), light: G::Each<u8>) -> G::Each<u8> {
+        G::zip(light, gun_max, reduce)
     }
 }
 

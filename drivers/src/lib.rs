@@ -3,7 +3,8 @@
 //! A display of the early 1990s shows few colours at once. It keeps them in a colour table, and a pixel is the index
 //! of an entry. This crate holds what turns a picture into indices, and drivers for the three machines of the thesis
 //! on which the ray tracer is modelled ("Modelos matemáticos de iluminación para la síntesis de imagen", UNAM): an
-//! IBM PS/2 with a VGA in mode 13h, an IBM RT PC with graPHIGS, and a SUN SPARCstation with PIXRECT.
+//! IBM PS/2 with a VGA in mode 13h, an IBM RT PC with graPHIGS, and a SUN SPARCstation with PIXRECT. A fourth is of our century: the OLED of
+//! a microcontroller's evaluation board, which shows 16 greys.
 //!
 //! It is `no_std`, and nothing in it needs a heap, an operating system, floating point or `unsafe`.
 //!
@@ -24,17 +25,27 @@
 //! bus         Ports, Memory, Registers          what a machine has to supply
 //! ```
 //!
+//! Displays without a colour table have layers of their own, which share the dithering:
+//!
+//! ```text
+//! direct      DirectPainter<DirectDisplay, _>   rows of light in, a picture out
+//! dither      DirectDither: Plain, Bayer, Diffusion
+//! direct      DirectDisplay                     a raster of levels, of three guns or of one
+//!   ssd0323     Ssd0323 over bus::CommandData     commands of an OLED's controller
+//!   target      Target over any DrawTarget        of embedded-graphics (feature `embedded-graphics`)
+//! ```
+//!
 //! [`checksum::Checksum`] is a [`display::Display`] that wraps another one and hashes what is sent to it: the test of a
 //! port to another machine.
 //!
-//! Each device has an emulated counterpart (`vga13h::emulated`, `graphigs::emulated`, `pixrect::emulated`). It is a
+//! Each device has an emulated counterpart (`vga13h::emulated`, `graphigs::emulated`, `pixrect::emulated`, `ssd0323::emulated`). It is a
 //! state machine of the real registers or of the API, on which programs and tests run where there is no such machine.
 //! On a real machine the same driver runs over a bus that the firmware implements.
 //!
 //! Where to begin depends on what you have:
 //!
 //! - a picture to be shown on one of the three devices: [`painter::Painter`] has an example;
-//! - another display: read on below, "For authors of a driver";
+//! - another display: read on below, "For authors of a driver", or [`direct`] if it has no colour table;
 //! - another machine with one of these devices: see "For authors of a bus".
 //!
 //! # For authors of a driver
@@ -96,9 +107,9 @@
 //! # For authors of a bus
 //!
 //! Implement the traits of [`bus`] that the driver asks for, on the type of your firmware that owns the device:
-//! [`bus::Ports`] and [`bus::Memory`] for a VGA, [`bus::Registers`] and [`bus::Memory`] for a cgthree. Nothing else of
-//! the crate has to change. [`bus`] says what an implementation must guarantee; `tests/boards/pc` and
-//! `tests/boards/sparc` of the repository hold the buses of two machines that boot.
+//! [`bus::Ports`] and [`bus::Memory`] for a VGA, [`bus::Registers`] and [`bus::Memory`] for a cgthree, [`bus::CommandData`] for an SSD0323.
+//! Nothing else of the crate has to change. [`bus`] says what an implementation must guarantee; `tests/boards/pc`, `tests/boards/sparc` and
+//! `tests/boards/cortex-m` of the repository hold the buses of three machines that boot.
 //!
 //! In this example an array stands for the video memory, and the ports are only counted. On a PC the methods would
 //! execute `out` and `in`, and access A0000h with `write_volatile` and `read_volatile`.
@@ -148,12 +159,17 @@
 
 pub mod bus;
 pub mod checksum;
+pub mod direct;
 pub mod display;
 pub mod dither;
 pub mod graphigs;
+pub mod guns;
 pub mod painter;
 pub mod pixrect;
 pub mod quantize;
+pub mod ssd0323;
+#[cfg(feature = "embedded-graphics")]
+pub mod target;
 pub mod vga13h;
 
 /// The code of the README, compiled and run with the other examples.

@@ -2,8 +2,8 @@
 
 use rta_core::color::Rgb;
 
-use super::{Dither, entry};
-use crate::display::reduce;
+use super::{DirectDither, Dither, entry};
+use crate::guns::Guns;
 use crate::quantize::{ColorTable, Uniform};
 
 /// Returns the place of a pixel in the order in which an 8 x 8 pattern fills, 0..=63: the matrix of B. Bayer, "An Optimum Method for
@@ -32,7 +32,7 @@ pub fn ordered(light: Rgb<u8>, x: u32, y: u32, step: Rgb<u8>) -> Rgb<u8> {
 
 /// Ordered dithering for a table of evenly spaced levels. It needs no memory, and pixels may be drawn in any order.
 ///
-/// For a display without a colour table, use [`Ordered::direct`].
+/// For a display without a colour table, use [`Bayer`].
 #[derive(Clone, Copy, Debug)]
 pub struct Ordered {
     /// The distance of neighbouring levels of each gun, 8 bits a gun.
@@ -49,22 +49,6 @@ impl Ordered {
     pub fn uniform(table: &Uniform) -> Self {
         Self::new(table.sides().map(|side| u8::MAX / (side - 1).max(1)))
     }
-
-    /// Returns the levels, 0..=`gun_max` of each gun, for a pixel of a display with direct colour: 31, 63 and 31 for 16 bits a pixel.
-    /// `light` is its colour in 8 bits a gun.
-    ///
-    /// ```
-    /// use rta_core::color::Rgb;
-    /// use rta_drivers::dither::Ordered;
-    ///
-    /// let gray = Rgb::new(100, 100, 100); // 12.2 of 31
-    /// let levels = (0..64).map(|i| Ordered::direct(gray, i % 8, i / 8, Rgb::new(31, 63, 31)).r);
-    /// assert_eq!(levels.map(u32::from).sum::<u32>(), 776); // 12.1 on average
-    /// ```
-    pub fn direct(light: Rgb<u8>, x: u32, y: u32, gun_max: Rgb<u8>) -> Rgb<u8> {
-        let step = gun_max.map(|most| u8::MAX / most.max(1));
-        ordered(light, x, y, step).zip(gun_max, reduce)
-    }
 }
 
 impl Dither for Ordered {
@@ -76,5 +60,31 @@ impl Dither for Ordered {
         light: Rgb<u8>,
     ) -> u8 {
         entry(table, gun_max, light, ordered(light, x, y, self.step)).0
+    }
+}
+
+/// Ordered dithering for displays with direct colour: of 64 pixels that are given one light, as many get the level above it as it is 64ths
+/// of a step above the level below. It needs no memory, and pixels may be drawn in any order. A gun that has all 256 levels is left as it is.
+///
+/// ```
+/// use rta_core::color::Rgb;
+/// use rta_drivers::dither::{Bayer, DirectDither};
+/// use rta_drivers::guns::Three;
+///
+/// let gray = Rgb::new(100, 100, 100); // 12.157 of 31
+/// let level = |i: u32| DirectDither::<Three>::levels(&mut Bayer, Rgb::new(31, 63, 31), (i % 8, i / 8), gray).r;
+/// assert_eq!((0..64).map(|i| u32::from(level(i))).sum::<u32>(), 778); // 12.156 on average
+/// ```
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Bayer;
+
+impl<G: Guns> DirectDither<G> for Bayer {
+    fn levels(&mut self, gun_max: G::Each<u8>, (x, y): (u32, u32), light: G::Each<u8>) -> G::Each<u8> {
+        // (order + 1/2) / 64, in 1/128.
+        let threshold = 2 * u32::from(bayer(x, y)) + 1;
+        G::zip(light, gun_max, |level, most| {
+            // level * most / 255 + threshold / 128, rounded down: at most `most`, as the threshold is below 1.
+            ((128 * u32::from(level) * u32::from(most) + 255 * threshold) / (255 * 128)).to_le_bytes()[0]
+        })
     }
 }

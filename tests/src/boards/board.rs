@@ -39,6 +39,14 @@ pub enum Output {
         /// Pixels of the screendump for each pixel of the screen, along each axis.
         zoom: u32,
     },
+    /// On a panel of greys without a colour table, which the program cannot read: the emulator takes a screendump. The picture is as large
+    /// as the panel. The program reports over a serial line.
+    Panel {
+        /// Width and height in pixels.
+        size: (u32, u32),
+        /// Pixels of the screendump for each pixel of the panel, along each axis.
+        zoom: u32,
+    },
 }
 
 /// Form in which an emulator takes an image.
@@ -57,6 +65,17 @@ const CORTEX_M: &[&str] = &[
     "-monitor",
     "none",
     "-serial",
+    "none",
+    "-semihosting-config",
+    "enable=on,target=native",
+    "-icount",
+    "shift=0,sleep=off",
+];
+
+const OLED: &[&str] = &[
+    "-M",
+    "lm3s6965evb",
+    "-display",
     "none",
     "-semihosting-config",
     "enable=on,target=native",
@@ -108,9 +127,14 @@ const fn pc(name: &'static str, feature: &'static str, image: Image) -> Board {
 }
 
 /// All boards.
-pub const ALL: [Board; 8] = [
+pub const ALL: [Board; 9] = [
     cortex_m("microbit", "Cortex-M0", "thumbv6m-none-eabi"),
     cortex_m("lm3s6965evb", "Cortex-M3", "thumbv7m-none-eabi"),
+    Board {
+        arguments: OLED,
+        output: Output::Panel { size: (128, 64), zoom: 4 },
+        ..cortex_m("lm3s6965evb-oled", "Cortex-M3", "thumbv7m-none-eabi")
+    },
     cortex_m("mps2-an386", "Cortex-M4F", "thumbv7em-none-eabihf"),
     Board {
         name: "riscv",

@@ -9,9 +9,14 @@ use rta_core::color::Rgb;
 use rta_core::raster::Raster;
 use rta_core::raster::lattice::Lattice;
 use rta_drivers::checksum::{Checksum, Unseen};
+use rta_drivers::direct::DirectPainter;
 use rta_drivers::display::{Capabilities, Display, DriverError};
+use rta_drivers::dither::{Diffusion, DirectCell, FloydSteinberg};
+use rta_drivers::guns::One;
 use rta_drivers::painter::Painter;
 use rta_drivers::quantize::{Adaptive, ColorTable, Uniform};
+use rta_drivers::ssd0323::Ssd0323;
+use rta_drivers::ssd0323::emulated::{MEMORY_SIZE, Oled};
 use rta_scenes::bake::TEXELS;
 
 use super::Failure;
@@ -71,6 +76,16 @@ impl Display for Paper {
 /// The most samples of which a board makes a palette.
 const SAMPLES: u32 = 1024;
 
+/// Returns the engine for a picture.
+fn engine(picture: &Picture, (width, height): (u32, u32)) -> Result<Engine, Failure> {
+    let text = std::fs::read(&picture.file)?;
+    let mut scene = rta_scenes::read(&text, &picture.file.display().to_string())?;
+    scene.load_pictures(picture.file.parent().unwrap_or_else(|| Path::new("")), TEXELS)?;
+    let format: Format = picture.format;
+    let model = picture.model.unwrap_or(scene.model);
+    Ok(Engine::new(&scene, &Settings { width, height, format, model, ..Settings::default() })?)
+}
+
 /// Draws a picture of the engine's on a display of 256 colours, with `table` unless a palette is made for it.
 fn paint(
     picture: &Picture,
@@ -78,12 +93,7 @@ fn paint(
     gun_max: u8,
     table: impl ColorTable + Send + 'static,
 ) -> Result<Indexed, Failure> {
-    let text = std::fs::read(&picture.file)?;
-    let mut scene = rta_scenes::read(&text, &picture.file.display().to_string())?;
-    scene.load_pictures(picture.file.parent().unwrap_or_else(|| Path::new("")), TEXELS)?;
-    let format: Format = picture.format;
-    let model = picture.model.unwrap_or(scene.model);
-    let engine = Engine::new(&scene, &Settings { width, height, format, model, ..Settings::default() })?;
+    let engine = engine(picture, (width, height))?;
     let capabilities = Capabilities { width, height, colors: 256, gun_max, aspect: (4, 3) };
     let dither = if picture.colors == Colors::Dithered { DitherKind::Fs } else { DitherKind::None };
     let coloring = Coloring { table: TableKind::Sampled, dither, samples: SAMPLES };
@@ -117,14 +127,40 @@ pub fn streamed(picture: &Picture, size: (u32, u32)) -> Result<Indexed, Failure>
     paint(picture, size, gun_max, Uniform::new(256, gun_max)?)
 }
 
-/// Returns the picture that a board shows: with the tolerant adaptive colour table on a screen, unless a palette is made, else
-/// as it is streamed.
+/// The levels of an emulated panel, as its screendump shows them.
+pub(crate) fn greys() -> Vec<Rgb<u8>> {
+    (0..16).map(|level| Rgb::new(17 * level, 17 * level, 17 * level)).collect()
+}
+
+/// Returns the picture that a panel shows: the engine's, through the driver onto the emulated controller.
+fn paneled(picture: &Picture) -> Result<Indexed, Failure> {
+    let (width, height) = picture.size;
+    let engine = engine(picture, picture.size)?;
+    let panel = Ssd0323::program(Oled::new(vec![0; MEMORY_SIZE])?);
+    let cells = vec![DirectCell::<One>::default(); width as usize];
+    let dithering = Diffusion::<FloydSteinberg, _, One>::new(cells, width as usize)?;
+    let mut painter = DirectPainter::dithered(panel, dithering);
+    let mut row = vec![Rgb::new(0, 0, 0); width as usize];
+    for y in 0..height {
+        engine.level_rows(y, u8::MAX, &mut row);
+        painter.put_row(0, y, row.iter().copied())?;
+    }
+    let oled = painter.into_display().release();
+    let places = (0..height).flat_map(|y| (0..width).map(move |x| (x, y)));
+    Ok(Indexed { colors: greys(), pixels: places.map(|(x, y)| oled.shown(x, y)).collect() })
+}
+
+/// Returns the picture that a board shows: with the tolerant adaptive colour table on a screen, unless a palette is made; on a panel in its
+/// greys; else as it is streamed.
 ///
 /// # Errors
 /// The scene does not fit the number format.
 pub fn shown(picture: &Picture, output: Output) -> Result<Indexed, Failure> {
-    let Output::Screen { screen: (_, _, gun_max), .. } = output else {
-        return streamed(picture, picture.size);
-    };
-    paint(picture, picture.size, gun_max, Adaptive::tolerant(256, gun_max)?)
+    match output {
+        Output::Screen { screen: (_, _, gun_max), .. } => {
+            paint(picture, picture.size, gun_max, Adaptive::tolerant(256, gun_max)?)
+        }
+        Output::Panel { .. } => paneled(picture),
+        Output::Semihosting | Output::Module => streamed(picture, picture.size),
+    }
 }

@@ -12,7 +12,7 @@ use std::time::Instant;
 use rta_core::color::Rgb;
 
 use super::board::{Board, Image, Output};
-use super::expected::Indexed;
+use super::expected::{Indexed, greys};
 use super::qmp::Qmp;
 use super::{Failure, elf, folder};
 
@@ -89,6 +89,7 @@ pub fn run(board: &Board, image: &Path, room: &Path) -> Result<Outcome, Failure>
             streamed(command, room)
         }
         Output::Screen { image: kind, .. } => screened(board, kind, image, room),
+        Output::Panel { zoom, .. } => paneled(board, image, room, zoom as usize),
     }
 }
 
@@ -161,7 +162,17 @@ fn hand_over(kind: Image, image: &Path, room: &Path) -> Result<Vec<String>, Fail
     })
 }
 
-fn screened(board: &Board, kind: Image, image: &Path, room: &Path) -> Result<Outcome, Failure> {
+/// A machine that shows its picture and waits for a command on its serial line.
+struct Waiting {
+    running: Running,
+    line: UnixStream,
+    /// What it has said.
+    words: String,
+    screendump: Screendump,
+}
+
+/// Runs an image until it is `READY`.
+fn wait_ready(board: &Board, kind: Image, image: &Path, room: &Path) -> Result<Waiting, Failure> {
     let (qmp, line) = (room.join("qmp"), room.join("serial"));
     let mut command = Command::new(board.emulator);
     command
@@ -176,12 +187,17 @@ fn screened(board: &Board, kind: Image, image: &Path, room: &Path) -> Result<Out
         .stdin(Stdio::null())
         .stdout(Stdio::null())
         .stderr(Stdio::null());
-    let mut running = Running(command.spawn()?);
+    let running = Running(command.spawn()?);
     let mut line = connect(&line)?;
     line.set_read_timeout(Some(PATIENCE))?;
     let words = until(&mut line, b"READY\n")?;
     let file = room.join("screen.ppm");
     Qmp::connect(&qmp)?.screendump(&file)?;
+    Ok(Waiting { running, line, words, screendump: ppm(&fs::read(&file)?)? })
+}
+
+fn screened(board: &Board, kind: Image, image: &Path, room: &Path) -> Result<Outcome, Failure> {
+    let Waiting { mut running, mut line, words, screendump } = wait_ready(board, kind, image, room)?;
     line.write_all(b"D")?;
     let mut dump = vec![0; 768];
     line.read_exact(&mut dump)?;
@@ -201,11 +217,33 @@ fn screened(board: &Board, kind: Image, image: &Path, room: &Path) -> Result<Out
     }
     Ok(Outcome {
         drawn: Indexed { colors, pixels },
-        screendump: Some(ppm(&fs::read(&file)?)?),
+        screendump: Some(screendump),
         stack: report(&words, "stack"),
         before: None,
         instructions: None,
         hash: report(&words, "hash"),
+    })
+}
+
+/// Runs an image that draws on a panel. What it has drawn is read off the screendump, each pixel where its first one is.
+fn paneled(board: &Board, image: &Path, room: &Path, zoom: usize) -> Result<Outcome, Failure> {
+    let Waiting { mut running, mut line, words, screendump } = wait_ready(board, Image::Kernel, image, room)?;
+    line.write_all(b"Q")?;
+    let status = running.wait()?;
+    if status != 0 {
+        return Err(format!("exit code {status}: {words}").into());
+    }
+    let (width, height) = report_size(&words)?;
+    let at = |x, y| screendump.pixels.get(y * zoom * screendump.size.0 + x * zoom);
+    let places = (0..height).flat_map(|y| (0..width).map(move |x| (x, y)));
+    let pixels = places.map(|(x, y)| at(x, y).map_or(u8::MAX, |[level, ..]| level / 17)).collect();
+    Ok(Outcome {
+        drawn: Indexed { colors: greys(), pixels },
+        screendump: Some(screendump),
+        stack: report(&words, "stack"),
+        before: report(&words, "before"),
+        instructions: report(&words, "instructions"),
+        hash: None,
     })
 }
 

@@ -10,7 +10,7 @@ use super::board::{Board, Output};
 /// How the colours of a picture are chosen.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Colors {
-    /// By the uniform table where the picture is streamed, by the tolerant one on a screen.
+    /// By the uniform table where the picture is streamed, by the tolerant one on a screen; on a panel by error diffusion in its greys.
     Standard,
     /// By a palette made from samples of the picture.
     Sampled,
@@ -153,9 +153,11 @@ const SCENES: [(&str, &str); 4] = [
 ];
 
 impl Board {
-    /// Whether the board draws a scene with palettes too: on the two boards that are compared in what they cost, all scenes; elsewhere one.
+    /// Whether the board draws a scene with palettes too: on the two boards that are compared in what they cost, all scenes; elsewhere one. A
+    /// panel has no colour table.
     fn is_colored(&self, scene: &str, format: Format) -> bool {
         match format {
+            _ if matches!(self.output, Output::Panel { .. }) => false,
             Format::Q16 => self.name == "microbit" || (scene == "opaque" && self.name != "pc-floppy"),
             _ => self.name == "mps2-an386",
         }
@@ -180,6 +182,7 @@ impl Board {
                         (width, height)
                     }
                     Output::Screen { .. } => (320, 200),
+                    Output::Panel { size, .. } => size,
                     Output::Semihosting | Output::Module => STREAMED,
                 };
                 let file = super::folder().join(file);
@@ -201,9 +204,10 @@ impl Board {
 
     /// Returns the pictures of given models: every model on every board, and on the smallest those whose programs are measured.
     fn of_models(&self) -> Vec<Picture> {
-        // A PC draws on all of its screen.
+        // A PC draws on all of its screen, and so does a panel.
         let size = match self.output {
             Output::Screen { screen: (width, height, _), .. } if self.package == "pc" => (width, height),
+            Output::Panel { size, .. } => size,
             _ => OF_MODELS,
         };
         let picture = |(scene, file), model| Picture {

@@ -55,14 +55,14 @@ pub fn drift(now: &[Footprint], (compiler, then): &(String, Vec<Footprint>), ver
 /// Prints a line for each picture.
 pub fn print_table(rows: &[Row]) {
     println!(
-        "\n{:12} {:12} {:8} {:4} {:14} {:>9} {:>6} {:>6} {:>8}  hash",
+        "\n{:16} {:12} {:8} {:4} {:14} {:>9} {:>6} {:>6} {:>8}  hash",
         "board", "processor", "scene", "", "needs", "raster", "stack", ".text", "a pixel"
     );
     for Row { board, picture, hash, stack, footprint, .. } in rows {
         let (width, height) = picture.size;
         let word = |figure: Option<u64>| figure.map_or_else(String::new, |figure| figure.to_string());
         println!(
-            "{:12} {:12} {:8} {:4} {:14} {:>9} {:>6} {:>6} {:>8}  {hash:016x}",
+            "{:16} {:12} {:8} {:4} {:14} {:>9} {:>6} {:>6} {:>8}  {hash:016x}",
             board.name,
             board.processor,
             picture.scene,

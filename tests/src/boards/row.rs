@@ -59,11 +59,22 @@ impl Row {
         }
         let want = expected::shown(&picture, board.output)?;
         compare::picture(&outcome.drawn, &want)?;
-        if let (Some(dump), Output::Screen { screen, zoom, .. }) = (&outcome.screendump, board.output) {
-            compare::screen(dump, &want, picture.size, screen, zoom as usize)?;
+        if let Some(dump) = &outcome.screendump {
+            match board.output {
+                Output::Screen { screen, zoom, .. } => {
+                    compare::screen(dump, &want, picture.size, screen, zoom as usize)?;
+                }
+                Output::Panel { size: (width, height), zoom } => {
+                    let screen = (width, height, u8::MAX);
+                    compare::screen(dump, &want, picture.size, screen, zoom as usize)?;
+                }
+                Output::Semihosting | Output::Module => {}
+            }
         }
-        let streamed = if outcome.hash.is_some() { (160, 100) } else { picture.size };
-        let hash = expected::streamed(&picture, streamed)?.hash(streamed)?;
+        let hash = match outcome.hash {
+            Some(_) => expected::streamed(&picture, (160, 100))?.hash((160, 100))?,
+            None => want.hash(picture.size)?,
+        };
         let own = outcome.hash.map_or_else(|| outcome.drawn.hash(picture.size), Ok)?;
         if own != hash {
             return Err(format!("its hash is {own:016x}, not {hash:016x}").into());

@@ -3,6 +3,7 @@
 #![no_std]
 
 pub mod console;
+pub mod direct;
 pub mod stream;
 
 use rta_core::color::Rgb;
@@ -11,7 +12,7 @@ use rta_core::raster::{Pixels, Raster};
 use rta_core::trace::{Spectrum, Trace, Tracer};
 use rta_drivers::checksum::{Checksum, Unseen};
 use rta_drivers::display::{Capabilities, Display};
-use rta_drivers::dither::{Cell, Damped, Diffusion, Dither};
+use rta_drivers::dither::{Cell, Damped, Diffusion, Dither, DitherError};
 use rta_drivers::painter::Painter;
 use rta_drivers::quantize::{Adaptive, ColorTable, Palette, TableError, Uniform, variance_cut};
 
@@ -61,6 +62,8 @@ pub enum DrawError<E> {
     Tracer(rta_core::Error),
     /// No palette can be made for the display.
     Table(TableError),
+    /// The memory for a row is too small.
+    Dither(DitherError),
     /// The display's own.
     Display(E),
 }
@@ -75,7 +78,7 @@ pub fn draw<D: Display, T: ColorTable>(
     origin: (u32, u32),
     row: impl FnMut(),
 ) -> Result<D, DrawError<D::Error>> {
-    draw_sized(display, table, origin, (WIDTH, HEIGHT), row)
+    draw_sized((WIDTH, HEIGHT), Indexed { display, table, origin, row })
 }
 
 /// What a board with a screen tells of the picture: its raster, and [`checksum`].
@@ -92,7 +95,8 @@ pub fn facts<T: ColorTable>(table: T) -> [(&'static str, u64); 3] {
 pub fn checksum<T: ColorTable>(table: T) -> u64 {
     let (width, height) = (160, 100);
     let unseen = Unseen(Capabilities { width, height, colors: 256, gun_max: 63, aspect: (4, 3) });
-    match draw_sized(Checksum::new(unseen), table, (0, 0), (width, height), || ()) {
+    let drawing = Indexed { display: Checksum::new(unseen), table, origin: (0, 0), row: || () };
+    match draw_sized((width, height), drawing) {
         Ok(sum) => sum.value(),
         Err(_) => 0,
     }
@@ -104,13 +108,25 @@ const SPECTRAL: bool = !scene::WEIGHTS.is_empty();
 /// The tracer of the baked scene with its model, by whichever accelerator it has.
 type Traced<'a, M, A> = Tracer<'a, scene::Number, M, Needs, { DEPTH as usize }, A>;
 
-fn draw_sized<D: Display, T: ColorTable>(
-    display: D,
-    table: T,
-    origin: (u32, u32),
+/// What is done with the tracer of the scene.
+trait Drawing {
+    /// What has been drawn on.
+    type Display;
+    /// The display's error.
+    type Error;
+
+    /// Draws the picture of a tracer.
+    fn draw(
+        self,
+        tracer: &impl Trace<scene::Number>,
+        raster: Raster,
+    ) -> Result<Self::Display, DrawError<Self::Error>>;
+}
+
+fn draw_sized<D: Drawing>(
     (width, height): (u32, u32),
-    row: impl FnMut(),
-) -> Result<D, DrawError<D::Error>> {
+    drawing: D,
+) -> Result<D::Display, DrawError<D::Error>> {
     let raster = Raster::new(width, height).map_err(DrawError::Tracer)?;
     let scene = if BAKED { &scene::SCENE } else { core::hint::black_box(&scene::SCENE) };
     let [model, further @ ..] = scene::models();
@@ -123,33 +139,48 @@ fn draw_sized<D: Display, T: ColorTable>(
         });
         let (weights, dispersive) = (&scene::WEIGHTS[..], &scene::DISPERSIVE[..]);
         let spectrum = Spectrum { weights, first: tracer, further: &further, dispersive };
-        return traced(&spectrum, raster, (display, table), origin, row);
+        return drawing.draw(&spectrum, raster);
     }
-    traced(&tracer, raster, (display, table), origin, row)
+    drawing.draw(&tracer, raster)
 }
 
-/// Draws the picture of a tracer.
-#[inline(always)] // it has one caller in a program
-fn traced<D: Display, T: ColorTable>(
-    tracer: &impl Trace<scene::Number>,
-    raster: Raster,
-    (display, table): (D, T),
+/// A picture on a display with a colour table.
+struct Indexed<D, T, R> {
+    display: D,
+    table: T,
     origin: (u32, u32),
-    row: impl FnMut(),
-) -> Result<D, DrawError<D::Error>> {
-    if COLORS == Colors::Standard {
-        return paint(tracer, raster, Painter::new(display, table).map_err(DrawError::Display)?, origin, row);
-    }
-    let mut palette = palette(tracer, raster, display.capabilities()).map_err(DrawError::Table)?;
-    if COLORS == Colors::Dithered {
-        // The hash is that of rows of 160.
-        let mut cells = [Cell::default(); if WIDTH < 160 { 160 } else { WIDTH as usize }];
-        if let Ok(diffusion) = Diffusion::<Damped, _>::new(&mut cells[..], raster.width() as usize) {
-            let painter = Painter::dithered(display, &mut palette, diffusion).map_err(DrawError::Display)?;
-            return paint(tracer, raster, painter, origin, row);
+    /// Called before the first row and after each.
+    row: R,
+}
+
+impl<D: Display, T: ColorTable, R: FnMut()> Drawing for Indexed<D, T, R> {
+    type Display = D;
+    type Error = D::Error;
+
+    #[inline(always)] // it has one caller in a program
+    fn draw(self, tracer: &impl Trace<scene::Number>, raster: Raster) -> Result<D, DrawError<D::Error>> {
+        let Self { display, table, origin, row } = self;
+        if COLORS == Colors::Standard {
+            return paint(
+                tracer,
+                raster,
+                Painter::new(display, table).map_err(DrawError::Display)?,
+                origin,
+                row,
+            );
         }
+        let mut palette = palette(tracer, raster, display.capabilities()).map_err(DrawError::Table)?;
+        if COLORS == Colors::Dithered {
+            // The hash is that of rows of 160.
+            let mut cells = [Cell::default(); if WIDTH < 160 { 160 } else { WIDTH as usize }];
+            if let Ok(diffusion) = Diffusion::<Damped, _>::new(&mut cells[..], raster.width() as usize) {
+                let painter =
+                    Painter::dithered(display, &mut palette, diffusion).map_err(DrawError::Display)?;
+                return paint(tracer, raster, painter, origin, row);
+            }
+        }
+        paint(tracer, raster, Painter::new(display, &mut palette).map_err(DrawError::Display)?, origin, row)
     }
-    paint(tracer, raster, Painter::new(display, &mut palette).map_err(DrawError::Display)?, origin, row)
 }
 
 /// Makes a palette for the picture on a display, from samples of it.
