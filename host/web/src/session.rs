@@ -1,0 +1,136 @@
+//! A picture that is being drawn on a display.
+
+use rta_core::color::Rgb;
+use rta_core::raster::Raster;
+use rta_core::raster::lattice::Lattice;
+use rta_scenes::description::Description;
+
+use crate::failure::Failure;
+use crate::json;
+use crate::picture::{self, Picture, Setup};
+use crate::request::Request;
+use crate::screen::Screen;
+
+/// A scene, its picture and the display that shows it.
+pub(crate) struct Session {
+    scene: Description,
+    picture: Box<dyn Picture>,
+    screen: Screen,
+    raster: Raster,
+    /// Rows that were drawn.
+    drawn: u32,
+}
+
+/// What the scene is called: a name that leaves it to the text which of the languages it is.
+const NAME: &str = "scene";
+
+/// Reads the scene of a request.
+fn read(request: &Request) -> Result<(Description, Setup), Failure> {
+    let mut scene = rta_scenes::read(request.text, NAME)?;
+    // There are no files beside the scene, so this tells the first picture that it names.
+    scene.load_pictures("".as_ref(), 1).map_err(|error| Failure {
+        line: Some(error.line).filter(|line| *line > 0),
+        ..Failure::plain("a page has no picture files; a scene that names one is drawn by the program")
+    })?;
+    let setup = Setup::new(request, &scene)?;
+    Ok((scene, setup))
+}
+
+/// Reads the scene of a request and proves that it fits the number format. Returns what [`Session::start`] tells of it.
+///
+/// # Errors
+/// [`Failure`] with the place in the text.
+pub(crate) fn check(request: &[u8]) -> Result<String, Failure> {
+    let request = Request::parse(request)?;
+    let (scene, setup) = read(&request)?;
+    picture::admit(&request, &scene, setup)?;
+    Ok(summary(&scene, setup))
+}
+
+/// Returns width, height, model, depth and warnings, as JSON.
+fn summary(scene: &Description, setup: Setup) -> String {
+    let warnings = scene.warnings.iter().map(|warning| {
+        let line = Some(warning.line).filter(|line| *line > 0);
+        json::object([
+            ("line", json::or_null(line, |line| line.to_string())),
+            ("message", json::text(&warning.text)),
+        ])
+    });
+    json::object([
+        ("width", setup.raster.width().to_string()),
+        ("height", setup.raster.height().to_string()),
+        ("model", json::text(setup.model.name())),
+        ("depth", setup.depth.to_string()),
+        ("warnings", json::list(warnings)),
+    ])
+}
+
+impl Session {
+    /// Makes the picture of a request ready to be drawn. Returns it and what there is to say about it.
+    ///
+    /// # Errors
+    /// [`Failure`], with the place in the scene's text where there is one.
+    pub(crate) fn start(request: &[u8]) -> Result<(Self, String), Failure> {
+        let request = Request::parse(request)?;
+        let (scene, setup) = read(&request)?;
+        let picture = picture::picture(&request, &scene, setup)?;
+        let (raster, capabilities) = (setup.raster, request.device.capabilities());
+        let lattice = Lattice::new(raster, request.table.samples());
+        let samples = match request.table.samples() {
+            0 => Vec::new(),
+            _ => picture.on_grid(lattice).map_err(Failure::plain)?,
+        };
+        let table =
+            request.table.table(&capabilities, &samples, lattice.grid().width()).map_err(Failure::plain)?;
+        let dither = request.dither.unwrap_or_else(|| request.table.dithering(&capabilities));
+        let screen = Screen::new(request.device, table, dither, raster.width() as usize)?;
+        let summary = summary(&scene, setup);
+        Ok((Self { scene, picture, screen, raster, drawn: 0 }, summary))
+    }
+
+    /// Traces row `y`, draws it and returns it as the display shows it: red, green, blue and 255 for each pixel.
+    ///
+    /// # Errors
+    /// [`Failure`] if the picture has no such row.
+    pub(crate) fn row(&mut self, y: u32) -> Result<Vec<u8>, Failure> {
+        if y >= self.raster.height() {
+            return Err(Failure::plain(format!("the picture has {} rows, no row {y}", self.raster.height())));
+        }
+        let light = self.picture.row(y, self.screen.light_max()).map_err(Failure::plain)?;
+        self.screen.put_row(y, &light)?;
+        self.drawn = self.drawn.max(y + 1);
+        let entries = self.screen.colors()?;
+        let indices = self.screen.indices(y, self.raster.width() as usize)?;
+        let pixels = indices.iter().flat_map(|index| {
+            let Rgb { r, g, b } = entries.get(usize::from(*index)).copied().unwrap_or_default();
+            [r, g, b, u8::MAX]
+        });
+        Ok(pixels.collect())
+    }
+
+    /// Returns the entries of the colour table so far: red, green and blue.
+    ///
+    /// # Errors
+    /// [`Failure`] if the display does not answer.
+    pub(crate) fn colors(&mut self) -> Result<Vec<u8>, Failure> {
+        Ok(self.screen.colors()?.into_iter().flat_map(|color| [color.r, color.g, color.b]).collect())
+    }
+
+    /// Traces a pixel once more and returns what its rays meet, as [`Explanation::json`](crate::explain::Explanation::json) tells it.
+    ///
+    /// # Errors
+    /// [`Failure`] if the picture has no such pixel.
+    pub(crate) fn explain(&mut self, x: u32, y: u32) -> Result<String, Failure> {
+        if x >= self.raster.width() || y >= self.raster.height() {
+            return Err(Failure::plain(format!("the picture has no pixel {x},{y}")));
+        }
+        let explanation = self.picture.explain(x, y).map_err(Failure::plain)?;
+        let mut shown = None;
+        if y < self.drawn {
+            let indices = self.screen.indices(y, self.raster.width() as usize)?;
+            let index = indices.get(x as usize).copied().unwrap_or_default();
+            shown = self.screen.colors()?.get(usize::from(index)).map(|entry| (index, *entry));
+        }
+        Ok(explanation.json(&self.scene, shown))
+    }
+}
