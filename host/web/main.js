@@ -8,7 +8,7 @@ const SETTINGS = ['model', 'format', 'depth', 'table', 'dither', 'size'];
 // After so many milliseconds without a key the text is looked at.
 const PAUSE = 150;
 // What a page shows unless its link says otherwise.
-const FIRST = { model: 'auto', format: 'q16', depth: 'auto', table: 'sampled', dither: 'auto', size: '2' };
+const FIRST = { model: 'auto', format: 'q16', depth: 'auto', table: 'sampled', dither: 'auto', size: '1' };
 
 const module = await WebAssembly.compileStreaming(fetch('rta.wasm'));
 
@@ -94,6 +94,8 @@ class Display {
     } else if (explained !== undefined) {
       explain(this.about.name, explained);
       this.answered();
+    } else if (failed?.kind === 'explain' && !failed.ended) {
+      this.answered();
     } else if (failed !== undefined) {
       if (failed.ended) {
         this.worker.terminate();
@@ -142,10 +144,11 @@ class Display {
 
 // The explanation of a pixel.
 
+const decimals = (light) => light.map((register) => register.toFixed(4)).join(' ');
+
 function explain(name, { x, y, light, samples, index, color, rays, tree, untold }) {
   const title = element('h2', { textContent: `${name}, pixel ${x},${y}` });
-  const registers = light.map((register) => register.toFixed(4)).join(' ');
-  const seen = element('div', {}, `linear light ${registers}`, samples > 1 ? `, the mean of ${samples} samples` : '');
+  const seen = element('div', {}, `linear light ${decimals(light)}`, samples > 1 ? `, the mean of ${samples} samples` : '');
   if (index !== null) {
     seen.append(`; entry ${index} of the table, `, swatch(color), ` ${hex(color)}`);
   }
@@ -153,12 +156,14 @@ function explain(name, { x, y, light, samples, index, color, rays, tree, untold 
   const items = tree.map((ray) => {
     const item = element('li', {}, `${ray.kind}: ${ray.text}`);
     item.style.setProperty('--depth', ray.depth);
+    if (ray.light.some((register) => register > 0)) {
+      item.append(`; brings ${decimals(ray.light)}`);
+    }
     if (ray.line !== null) {
       const there = element('button', { className: 'line', textContent: `line ${ray.line}` });
       there.onclick = () => select(ray.line, 1);
       item.append(' ', there);
     }
-    item.append(` + ${ray.light.map((register) => register.toFixed(4)).join(' ')}`);
     return item;
   });
   if (untold > 0) {
@@ -257,6 +262,9 @@ function checked({ checked: fine, failed, choices }) {
   number(failed?.line);
   $('message').replaceChildren(...(failed ? [said('error', failed)] : fine.warnings.map((warning) => said('warning', warning))));
   if (!failed) {
+    // What `auto` stands for.
+    $('model').options[0].textContent = $('model').value === 'auto' ? `the scene's: ${fine.model}` : "the scene's";
+    $('depth').options[0].textContent = $('depth').value === 'auto' ? `the scene's: ${fine.depth}` : "the scene's";
     displays.forEach((display, index) => display.draw(checker.requests[index]));
   }
 }

@@ -60,12 +60,13 @@ function draw(job, { width, height }, first) {
 }
 
 // Tells what goes wrong: an error of the module, or its end, after which it is of no more use.
-function guarded(job, act) {
+function guarded(job, act, kind = 'draw') {
   try {
     act();
   } catch (error) {
     const ended = error instanceof Error;
-    postMessage({ job, failed: ended ? { message: `the module has ended: ${error.message}`, ended } : error });
+    const message = ended ? `the module has ended: ${error.message}` : error.message;
+    postMessage({ job, failed: { ...error, message, ended, kind } });
   }
 }
 
@@ -93,6 +94,6 @@ onmessage = ({ data }) => {
       postMessage({ choices: json() });
     });
   } else {
-    loaded.then(() => guarded(data.job, () => kinds[data.kind](data)));
+    loaded.then(() => guarded(data.job, () => kinds[data.kind](data), data.kind));
   }
 };

@@ -167,7 +167,7 @@ impl Explanation {
             json::object([
                 ("kind", json::text(step.name())),
                 ("depth", step.depth.to_string()),
-                ("text", json::text(&step.text(scene))),
+                ("text", json::text(&step.text())),
                 ("line", json::or_null(step.line(scene), |line| line.to_string())),
                 ("light", light(step.light)),
             ])
@@ -207,13 +207,10 @@ impl Step {
     }
 
     /// Returns what the ray meets and how the lamps are seen from there, in words.
-    fn text(&self, scene: &Description) -> String {
+    fn text(&self) -> String {
         let Some((object, material)) = &self.hit else { return "the sky".into() };
         let mut text = object.to_string();
         // Writing to a string does not fail.
-        if let Some(line) = self.line(scene) {
-            let _ = write!(text, " (line {line})");
-        }
         let _ = write!(text, ", {material}");
         if let Some(distance) = self.distance {
             let _ = write!(text, ", at {distance:.4}");

@@ -139,3 +139,42 @@ pub extern "C" fn output() -> *const u8 {
 pub extern "C" fn output_len() -> usize {
     with(|module| module.output.len())
 }
+
+#[cfg(test)]
+mod tests {
+    use rta_scenes::shipped;
+
+    use super::{alloc, check, choices, colors, explain, output_len, row, start, with};
+
+    fn ask(text: &str, call: extern "C" fn() -> u32) -> u32 {
+        alloc(text.len());
+        with(|module| module.input.copy_from_slice(text.as_bytes()));
+        call()
+    }
+
+    fn answer() -> String {
+        with(|module| String::from_utf8_lossy(&module.output).into_owned())
+    }
+
+    #[test]
+    fn whatever_is_called_in_whatever_order_is_answered() {
+        for status in [row(0), colors(), explain(0, 0), start(), check()] {
+            assert_eq!(status, 1);
+        }
+        assert_eq!(
+            answer(),
+            r#"{"line":null,"column":null,"message":"a request begins with a line of settings"}"#
+        );
+        assert_eq!(choices(), 0);
+        assert!(answer().contains(r#"{"name":"q16","about":"Fixed point"#));
+        let request = |scene| format!("vga 8 q16 auto auto uniform none\n{scene}");
+        assert_eq!(ask(&request(shipped::JUGGLER), start), 0);
+        assert_eq!((row(0), output_len()), (0, 160));
+        // What fails does not touch the picture.
+        assert_eq!(ask(&request("1 2 x"), start), 1);
+        assert_eq!((row(24), row(25), row(u32::MAX)), (0, 1, 1));
+        assert_eq!((explain(39, 24), explain(40, 24), explain(u32::MAX, u32::MAX)), (0, 1, 1));
+        assert_eq!((ask("\u{fffd}", check), colors()), (1, 0));
+        assert_eq!(output_len(), 3 * 252); // 6 x 7 x 6 levels
+    }
+}

@@ -134,3 +134,58 @@ impl Session {
         Ok(explanation.json(&self.scene, shown))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use rta_scenes::shipped;
+
+    use super::{Session, check};
+
+    fn request(settings: &str, scene: &str) -> Vec<u8> {
+        format!("{settings}\n{scene}").into_bytes()
+    }
+
+    #[test]
+    fn rows_are_drawn_and_pixels_explained() {
+        for (device, width, height) in [("vga", 40, 25), ("graphigs", 128, 128), ("pixrect", 144, 112)] {
+            let request = request(&format!("{device} 8 q16 auto auto sampled auto"), shipped::GLASS_2);
+            let (mut session, summary) = Session::start(&request).expect("a picture");
+            assert_eq!(check(&request).as_ref(), Ok(&summary));
+            assert!(
+                summary.starts_with(&format!("{{\"width\":{width},\"height\":{height},\"model\":\"rta\""))
+            );
+            let before = session.explain(0, 0).expect("a pixel");
+            assert!(before.contains("\"index\":null,\"color\":null"), "{before}");
+            for y in 0..height {
+                let row = session.row(y).expect("a row");
+                assert_eq!(row.len(), 4 * width as usize);
+                assert!(row.iter().skip(3).step_by(4).all(|&alpha| alpha == 255));
+            }
+            let after = session.explain(width / 2, height / 2).expect("a pixel");
+            assert!(
+                after.contains("\"text\":\"sphere 1, glass, at ") && !after.contains("null,\"rays\""),
+                "{after}"
+            );
+            assert!(session.colors().is_ok_and(|colors| colors.len() > 30 && colors.len() % 3 == 0));
+            let outside = [session.explain(width, 0), session.explain(0, height)];
+            assert!(outside.iter().all(Result::is_err) && session.row(height).is_err());
+        }
+    }
+
+    #[test]
+    fn errors_have_their_place() {
+        let place = |scene: &str| {
+            let failure = check(&request("vga 1 q16 auto auto sampled auto", scene)).expect_err("no scene");
+            (failure.line, failure.column)
+        };
+        assert_eq!(place("0 -7 2.3\n0 1 zero"), (Some(2), Some(5)));
+        assert_eq!(place(""), (Some(1), Some(1)));
+        let far = shipped::GLASS_2.replace("-1.7 3.2 0.9 ", "-1.7 90000 0.9 ");
+        assert_eq!(place(&far), (Some(9), None));
+        // Readers of pictures are not part of the module.
+        let textured = "rta 1\ncamera at 0 -8 2  look 0 1 0\ntexture globe image \"globe.png\"\n";
+        let failure = check(&request("vga 1 q16 auto auto sampled auto", textured)).expect_err("no picture");
+        assert_eq!(failure.line, Some(3));
+        assert!(failure.message.starts_with("a page has no picture files"), "{failure}");
+    }
+}
