@@ -1,11 +1,12 @@
 //! rta as a WebAssembly module for a page: it reads a scene, traces it row by row and shows it on an emulated display.
 //!
 //! Everything goes through two buffers in the module's memory. The page asks for room with [`alloc`], writes a request there and
-//! calls [`check`] or [`start`]; each answer lies at [`output`], [`output_len`] bytes long. A request is a line of settings, as
-//! [`request::Request::parse`] reads it, and the scene's text.
+//! calls [`check`] or [`start`]; each answer lies at [`output`], [`output_len`] bytes long. A request is a line of settings and the
+//! scene's text: `vga 1 q16 auto 5 sampled none`, the display, by how much its raster is divided, number format, illumination model, depth,
+//! colour table and dithering, of which model, depth and dithering may be `auto`; [`choices`] lists them.
 //!
-//! Functions that can fail return 0, or 1 for an error; then the answer is the error as JSON. Nothing panics, whatever the page
-//! asks in whatever order.
+//! Functions that can fail return 0, or 1 for an error; then the answer is the error as JSON: `line` and `column` in the scene, or null, and
+//! `message`. Nothing panics, whatever the page asks in whatever order.
 
 mod coloring;
 mod explain;
@@ -73,7 +74,7 @@ pub extern "C" fn alloc(len: usize) -> *mut u8 {
 }
 
 /// Reads the scene of the request and proves that it fits the number format, without drawing it. The answer is what there is to
-/// say about it: see [`Session::summary`].
+/// say about it, as JSON: `width` and `height` of the picture, `model`, `depth`, and `warnings`, each with `line` and `message`.
 #[unsafe(no_mangle)]
 #[allow(unsafe_code, reason = "as above")]
 pub extern "C" fn check() -> u32 {
@@ -112,7 +113,10 @@ pub extern "C" fn colors() -> u32 {
     with(|module| module.ask(Session::colors))
 }
 
-/// Explains the pixel in column `x` of row `y`: see [`Session::explain`].
+/// Explains the pixel in column `x` of row `y`, as JSON: its linear `light`, the mean of `samples`; `color`, as the display shows it, and its
+/// `index` in the colour table, both null before it is drawn; how many `rays` of each kind there are; and the `tree`, a list of rays with
+/// `kind`, `depth`, what they meet as `text`, the object's `line` in the scene, and the `light` that each brings into the pixel by itself.
+/// `untold` is how many more rays the tree has.
 #[unsafe(no_mangle)]
 #[allow(unsafe_code, reason = "as above")]
 pub extern "C" fn explain(x: u32, y: u32) -> u32 {
