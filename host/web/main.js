@@ -10,7 +10,10 @@ const PAUSE = 150;
 // What a page shows unless its link says otherwise.
 const FIRST = { model: 'auto', format: 'q16', depth: 'auto', table: 'sampled', dither: 'auto', size: '1' };
 
-const module = await WebAssembly.compileStreaming(fetch('rta.wasm'));
+const module = await WebAssembly.compileStreaming(fetch('rta.wasm')).catch((error) => {
+  $('message').textContent = `the module rta.wasm cannot be loaded; host/web/build makes it: ${error.message}`;
+  throw error;
+});
 
 function worker(hear) {
   const made = new Worker('worker.js');
