@@ -149,6 +149,16 @@ pub trait Illumination<S: Scalar>: Send + Sync {
     /// Returns whether lamps can light this surface at all.
     fn is_lit<N: Needs>(&self, surface: &Surface<S>) -> bool;
 
+    /// Returns whether a lamp can light the point: whether it is before the surface, or the model lights
+    /// [both sides](Illumination::BOTH_SIDES), or its lamps shine [into](Illumination::REFRACTS_LAMPS) a material.
+    #[inline]
+    fn is_reached<N: Needs>(&self, surface: &Surface<S>, incident: &Incident<S>) -> bool
+    where
+        Self: Sized,
+    {
+        can_light::<S, Self>(surface.inside, || surface.is_behind::<N>(incident))
+    }
+
     /// Returns the radiance that the point sends back of one lamp, without shadows. Unless it is black, the tracer then traces a
     /// shadow ray.
     fn direct<N: Needs>(&self, surface: &Surface<S>, incident: &Incident<S>) -> Rgb<S::Light>;
@@ -175,4 +185,11 @@ pub trait Illumination<S: Scalar>: Send + Sync {
         let _ = (way, lit);
         None
     }
+}
+
+/// Returns whether a lamp can light a surface that is seen from inside or not, if `is_behind` says whether it is behind: see
+/// [`Illumination::is_reached`].
+#[inline]
+pub fn can_light<S: Scalar, M: Illumination<S>>(inside: bool, is_behind: impl FnOnce() -> bool) -> bool {
+    M::BOTH_SIDES || (M::REFRACTS_LAMPS && inside) || !is_behind()
 }

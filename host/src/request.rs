@@ -89,9 +89,10 @@ impl Request {
             return Err(RequestError::TableWithoutDevice);
         }
         let request = Self::of(asked, target).for_scene(asked.model, scene)?;
-        let Settings { depth, cutoff, samples, .. } = scene.description.settings;
+        let said = &scene.description.settings;
+        let Settings { depth, samples, .. } = *said;
         let depth = asked.depth.or(depth).map_or(request.depth, |depth| depth.min(MAX_DEPTH));
-        let cutoff = asked.cutoff.or(cutoff.map(Cutoff::nearest));
+        let cutoff = asked.cutoff.or(Cutoff::of(said));
         let samples = asked.samples.or(samples.and_then(Samples::of));
         let sampling = samples.map_or(request.sampling, |samples| samples.sampling(asked.jitter));
         Ok(Self { depth, cutoff, sampling, ..request })

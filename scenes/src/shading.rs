@@ -35,6 +35,7 @@ type Lit<'a, S> = &'a mut dyn FnMut(Vec3<S>, usize) -> <S as Scalar>::Unit;
 trait Shading<S: Scalar>: Send + Sync {
     fn ambient(&self, surface: &Surface<S>, ambient: Rgb<S::Light>) -> Rgb<S::Light>;
     fn is_lit(&self, surface: &Surface<S>) -> bool;
+    fn is_reached(&self, surface: &Surface<S>, incident: &Incident<S>) -> bool;
     fn direct(&self, surface: &Surface<S>, incident: &Incident<S>) -> Rgb<S::Light>;
     fn cutoff(&self) -> S::Unit;
     fn secondary(&self, surface: &Surface<S>) -> Secondary<Rgb<S::Unit>>;
@@ -57,6 +58,10 @@ impl<S: Scalar, M: Tabled<S>> Shading<S> for Owned<S, M> {
 
     fn is_lit(&self, surface: &Surface<S>) -> bool {
         self.model.over(&self.rows).is_lit::<Everything>(surface)
+    }
+
+    fn is_reached(&self, surface: &Surface<S>, incident: &Incident<S>) -> bool {
+        self.model.over(&self.rows).is_reached::<Everything>(surface, incident)
     }
 
     fn direct(&self, surface: &Surface<S>, incident: &Incident<S>) -> Rgb<S::Light> {
@@ -254,7 +259,7 @@ impl<S: Narrow> Visitor<S> for Chosen<'_, S> {
 
 impl<S: Scalar> Illumination<S> for Shaded<S> {
     type Weight = Rgb<S::Unit>;
-    /// The model itself is asked, and returns black.
+    /// [`Illumination::is_reached`] tells.
     const BOTH_SIDES: bool = true;
     const ALONG: bool = true;
 
@@ -264,6 +269,11 @@ impl<S: Scalar> Illumination<S> for Shaded<S> {
 
     fn is_lit<N: Needs>(&self, surface: &Surface<S>) -> bool {
         self.0.is_lit(surface)
+    }
+
+    fn is_reached<N: Needs>(&self, surface: &Surface<S>, incident: &Incident<S>) -> bool {
+        // Before what stands for a point of a mesh is asked, the point itself is; all else `direct` asks.
+        surface.mesh.is_none() || self.0.is_reached(surface, incident)
     }
 
     fn direct<N: Needs>(&self, surface: &Surface<S>, incident: &Incident<S>) -> Rgb<S::Light> {

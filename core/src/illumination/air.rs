@@ -88,6 +88,10 @@ impl<S: Scalar, M: Illumination<S>, A: Air<S>> Illumination<S> for Through<M, A>
         self.model.is_lit::<N>(surface)
     }
 
+    fn is_reached<N: Needs>(&self, surface: &Surface<S>, incident: &Incident<S>) -> bool {
+        self.model.is_reached::<N>(surface, incident)
+    }
+
     fn direct<N: Needs>(&self, surface: &Surface<S>, incident: &Incident<S>) -> Rgb<S::Light> {
         self.model.direct::<N>(surface, incident)
     }

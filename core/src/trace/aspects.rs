@@ -9,19 +9,6 @@ use crate::scalar::{Scalar, Unit};
 use crate::surface::Surface;
 use crate::texture::{Mesh, Shading, bishop_weimer, gouraud};
 
-/// Returns whether a lamp can light a surface: whether it is before it, or the model lights [both sides](Illumination::BOTH_SIDES), or its
-/// lamps shine [into](Illumination::REFRACTS_LAMPS) a material.
-#[inline]
-pub fn is_lit<S: Scalar, M: Illumination<S>, N: Needs>(surface: &Surface<S>, incident: &Incident<S>) -> bool {
-    can_light::<S, M>(surface.inside, || surface.is_behind::<N>(incident))
-}
-
-/// Returns whether a lamp can light a surface that is seen from inside or not, if `is_behind` says whether it is behind: see [`is_lit`].
-#[inline]
-pub fn can_light<S: Scalar, M: Illumination<S>>(inside: bool, is_behind: impl FnOnce() -> bool) -> bool {
-    M::BOTH_SIDES || (M::REFRACTS_LAMPS && inside) || !is_behind()
-}
-
 /// The surfaces whose light a point of a mesh sends back.
 // No function of it is inlined: scenes without meshes do not pay for it.
 #[allow(clippy::large_enum_variant, reason = "it lives as long as one call")]
@@ -64,12 +51,12 @@ impl<'a, S: Scalar> Aspects<'a, S> {
         self.mixed(|surface| model.ambient::<Apart<N>>(surface, ambient))
     }
 
-    /// Returns the radiance that they send back of a lamp, without shadows, where it [is lit](is_lit).
+    /// Returns the radiance that they send back of a lamp, without shadows, where it [is reached](Illumination::is_reached).
     #[inline(never)]
     pub fn direct<M: Illumination<S>, N: Needs>(&self, model: &M, lamp: &Lamp<S>) -> Rgb<S::Light> {
         self.mixed(|surface| {
             let incident = Incident::new(lamp, surface.point, surface.normal);
-            let incident = incident.filter(|incident| is_lit::<S, M, N>(surface, incident));
+            let incident = incident.filter(|incident| model.is_reached::<N>(surface, incident));
             incident.map_or(Rgb::BLACK, |incident| model.direct::<Apart<N>>(surface, &incident))
         })
     }

@@ -2,8 +2,9 @@
 //!
 //! The decisions are apart from the computation of directions, so that a tracer of several rays side by side shares them.
 
-pub use super::aspects::{Aspects, can_light, is_lit};
+pub use super::aspects::Aspects;
 use crate::color::Rgb;
+pub use crate::illumination::can_light;
 use crate::illumination::{Bend, Illumination, Secondary, Weight};
 use crate::light::Incident;
 use crate::material::Glass;
@@ -51,9 +52,8 @@ pub fn ambient<S: Scalar, M: Illumination<S>, N: Needs>(
     model.ambient::<N>(surface, ambient)
 }
 
-/// Returns the radiance that a surface sends back of a lamp, before shadows: black where the lamp is behind the surface, unless
-/// the model lights [both sides](Illumination::BOTH_SIDES), or its lamps shine
-/// [into](Illumination::REFRACTS_LAMPS) a material.
+/// Returns the radiance that a surface sends back of a lamp, before shadows: black where the lamp [does not
+/// reach](Illumination::is_reached) it.
 // Called in two places, it would not be inlined: 5 % of the instructions of balls2.nff in f32.
 #[cfg_attr(not(target_os = "none"), inline(always))]
 pub fn direct<S: Scalar, M: Illumination<S>, N: Needs>(
@@ -62,9 +62,9 @@ pub fn direct<S: Scalar, M: Illumination<S>, N: Needs>(
     incident: &Incident<S>,
 ) -> Rgb<S::Light> {
     match &surface.mesh {
-        Some(_) if N::MESHES && !is_lit::<S, M, N>(surface, incident) => Rgb::BLACK,
+        Some(_) if N::MESHES && !model.is_reached::<N>(surface, incident) => Rgb::BLACK,
         Some(mesh) if N::MESHES => Aspects::of::<N>(surface, mesh).direct::<M, N>(model, incident.lamp),
-        _ if is_lit::<S, M, N>(surface, incident) => model.direct::<N>(surface, incident),
+        _ if model.is_reached::<N>(surface, incident) => model.direct::<N>(surface, incident),
         _ => Rgb::BLACK,
     }
 }

@@ -17,6 +17,28 @@ pub struct Settings {
     pub model_options: Vec<ModelOption>,
 }
 
+impl Settings {
+    /// Returns the cut-off as a ratio of whole numbers, so that every number format rounds it for itself: the nearest, one in a whole
+    /// number where that is as near as 2^-20 of it.
+    #[must_use]
+    pub fn cutoff_ratio(&self) -> Option<(u16, u16)> {
+        self.cutoff.map(ratio)
+    }
+}
+
+#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped to 16 bits")]
+fn ratio(part: f64) -> (u16, u16) {
+    let most = f64::from(u16::MAX);
+    let one_in = (1.0 / part).round().clamp(1.0, most);
+    if (one_in * part - 1.0).abs() < 2f64.powi(-20) {
+        return (1, one_in as u16);
+    }
+    match (part * most).round().clamp(0.0, most) as u16 {
+        0 => (0, 1),
+        numerator => (numerator, u16::MAX),
+    }
+}
+
 /// An option of an illumination model.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ModelOption {
@@ -24,4 +46,20 @@ pub struct ModelOption {
     pub name: String,
     /// Its numbers; many have none.
     pub numbers: Vec<f64>,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Settings;
+
+    #[test]
+    fn cutoffs_are_ratios() {
+        let ratio = |part| Settings { cutoff: Some(part), ..Settings::default() }.cutoff_ratio();
+        assert_eq!(Settings::default().cutoff_ratio(), None);
+        assert_eq!(ratio(0.0), Some((0, 1)));
+        assert_eq!(ratio(1e-9), Some((0, 1)));
+        assert_eq!(ratio(1.0), Some((1, 1)));
+        assert_eq!(ratio(0.015_625), Some((1, 64)));
+        assert_eq!(ratio(0.75), Some((49_151, 65_535)));
+    }
 }

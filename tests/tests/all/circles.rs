@@ -8,8 +8,18 @@ use std::path::{Path, PathBuf};
 mod imports;
 
 /// The crates' folders, from the root of the repository.
-const CRATES: [&str; 9] =
-    ["core", "drivers", "scenes", "host", "host/args", "host/golden", "host/packets", "host/paired", "tests"];
+const CRATES: [&str; 10] = [
+    "core",
+    "drivers",
+    "scenes",
+    "host",
+    "host/args",
+    "host/golden",
+    "host/packets",
+    "host/paired",
+    "host/web",
+    "tests",
+];
 /// The most lines of a file.
 const MAX_LINES: usize = 330;
 /// The most functions of the core that are inlined wherever they are called.

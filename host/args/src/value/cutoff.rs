@@ -3,6 +3,8 @@
 use core::fmt;
 use core::str::FromStr;
 
+use rta_scenes::description::Settings;
+
 /// The part of its light that a ray must bring into the pixel to be traced, 0 to 1: a ratio of integers, so that every
 /// number format rounds it for itself.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -21,19 +23,10 @@ impl Cutoff {
         if denominator == 0 { Self::OFF } else { Self { numerator: 1, denominator } }
     }
 
-    /// Returns the ratio that is nearest to a part from 0 to 1, one in a whole number where that is as near as 2^-20 of it.
+    /// Returns the ratio that a scene states: see [`Settings::cutoff_ratio`].
     #[must_use]
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped to 16 bits")]
-    pub fn nearest(part: f64) -> Self {
-        let most = f64::from(u16::MAX);
-        let one_in = (1.0 / part).round().clamp(1.0, most);
-        if (one_in * part - 1.0).abs() < 2f64.powi(-20) {
-            return Self::one_in(one_in as u16);
-        }
-        match (part * most).round().clamp(0.0, most) as u16 {
-            0 => Self::OFF,
-            numerator => Self { numerator, denominator: u16::MAX },
-        }
+    pub fn of(settings: &Settings) -> Option<Self> {
+        settings.cutoff_ratio().map(|(numerator, denominator)| Self { numerator, denominator })
     }
 
     /// The numerator.

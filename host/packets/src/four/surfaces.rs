@@ -123,7 +123,7 @@ impl<'a> Surfaces4<'a> {
     }
 
     /// Returns which of four surfaces a lamp can light, which is behind those in `behind`: four times
-    /// [`is_lit`](rta_core::trace::decision::is_lit). Bits from the fifth on mean nothing.
+    /// [`is_reached`](rta_core::illumination::Illumination::is_reached). Bits from the fifth on mean nothing.
     #[inline(always)]
     pub(crate) fn are_lit<M: Illumination<f32>>(&self, behind: BVec4A) -> u32 {
         let (behind, inside) = (behind.bitmask(), self.inside.bitmask());

@@ -1,0 +1,395 @@
+// The page: the text of a scene and settings, three displays, and the link that holds both.
+//
+// A worker checks what is typed; only what it admits is drawn, by one worker for each display. A drawing that is no longer wanted
+// ends with its worker.
+
+const $ = (id) => document.getElementById(id);
+const SETTINGS = ['model', 'format', 'depth', 'table', 'dither', 'size'];
+// After so many milliseconds without a key the text is looked at.
+const PAUSE = 150;
+// What a page shows unless its link says otherwise.
+const FIRST = { model: 'auto', format: 'q16', depth: 'auto', table: 'sampled', dither: 'auto', size: '1' };
+
+const module = await WebAssembly.compileStreaming(fetch('rta.wasm')).catch((error) => {
+  $('message').textContent = `the module rta.wasm cannot be loaded; host/web/build makes it: ${error.message}`;
+  throw error;
+});
+
+function worker(hear) {
+  const made = new Worker('worker.js');
+  made.onmessage = ({ data }) => hear(data);
+  made.postMessage({ module });
+  return made;
+}
+
+function element(name, properties = {}, ...children) {
+  const made = Object.assign(document.createElement(name), properties);
+  made.append(...children);
+  return made;
+}
+
+// Colours.
+
+const hex = (color) => `#${color.map((level) => level.toString(16).padStart(2, '0')).join('')}`;
+
+function swatch(color) {
+  const made = element('i', { className: 'color' });
+  made.style.background = hex(color);
+  return made;
+}
+
+// A display: its picture, its colour table and the worker that draws it.
+
+class Display {
+  constructor(about) {
+    this.about = about;
+    this.picture = element('canvas', { className: 'picture', width: about.width, height: about.height });
+    this.picture.style.aspectRatio = String(about.aspect);
+    this.table = element('canvas', { className: 'table', width: 32, height: Math.ceil(about.colors / 32) });
+    this.state = element('span');
+    const guns = `${about.colors} colours of ${(about.guns ** 3).toLocaleString('en')}`;
+    const caption = element('figcaption', {}, element('b', { textContent: about.name }), ` ${about.width} x ${about.height}, ${guns}; `, this.state);
+    this.figure = element('figure', { id: about.name }, this.picture, this.table, caption);
+    this.picture.onmousemove = (event) => this.point(event);
+    this.job = 0;
+    this.worker = null;
+    this.busy = false;
+    this.asked = false;
+    this.pixel = null;
+  }
+
+  tell(state, text) {
+    this.figure.dataset.state = state;
+    this.state.textContent = text;
+  }
+
+  // Draws what is requested, instead of what is being drawn.
+  draw(request) {
+    if (this.busy) {
+      this.worker.terminate();
+      this.worker = null;
+    }
+    this.worker ??= worker((data) => this.hear(data));
+    this.job += 1;
+    this.asked = false;
+    this.busy = true;
+    this.begin = performance.now();
+    this.tell('drawing', 'begins');
+    this.worker.postMessage({ job: this.job, kind: 'start', request });
+  }
+
+  hear({ job, started, rows, done, explained, failed }) {
+    if (job !== this.job) {
+      return;
+    }
+    if (started !== undefined) {
+      // The picture before stays until rows come in its place, unless it has another size.
+      const { width, height } = started;
+      if (this.picture.width !== width || this.picture.height !== height) {
+        Object.assign(this.picture, { width, height });
+      }
+    } else if (rows !== undefined) {
+      this.show(rows);
+    } else if (done) {
+      this.busy = false;
+      const seconds = ((performance.now() - this.begin) / 1000).toFixed(2);
+      this.tell('done', `${this.picture.width} x ${this.picture.height} pixels in ${seconds} s`);
+    } else if (explained !== undefined) {
+      explain(this.about.name, explained);
+      this.answered();
+    } else if (failed?.kind === 'explain' && !failed.ended) {
+      this.answered();
+    } else if (failed !== undefined) {
+      if (failed.ended) {
+        this.worker.terminate();
+        this.worker = null;
+      }
+      this.busy = false;
+      this.tell('failed', failed.message);
+    }
+  }
+
+  show({ first, pixels, colors }) {
+    const { width, height } = this.picture;
+    this.picture.getContext('2d').putImageData(new ImageData(pixels, width), 0, first);
+    const image = new ImageData(this.table.width, this.table.height);
+    for (let entry = 0; entry < colors.length / 3; entry += 1) {
+      image.data.set([...colors.subarray(3 * entry, 3 * entry + 3), 255], 4 * entry);
+    }
+    this.table.getContext('2d').putImageData(image, 0, 0);
+    const done = first + pixels.length / width / 4;
+    this.tell('drawing', `row ${done} of ${height}, ${colors.length / 3} colours`);
+  }
+
+  // Asks for the pixel under the mouse; while an answer is awaited, only the last pixel is kept.
+  point({ offsetX, offsetY }) {
+    const { width, height, clientWidth, clientHeight } = this.picture;
+    const along = (at, length, pixels) => Math.min(Math.max(Math.floor((at * pixels) / length), 0), pixels - 1);
+    this.pixel = { x: along(offsetX, clientWidth, width), y: along(offsetY, clientHeight, height) };
+    if (!this.asked && this.worker !== null) {
+      this.ask();
+    }
+  }
+
+  ask() {
+    this.asked = true;
+    this.worker.postMessage({ job: this.job, kind: 'explain', ...this.pixel });
+    this.pixel = null;
+  }
+
+  answered() {
+    this.asked = false;
+    if (this.pixel !== null) {
+      this.ask();
+    }
+  }
+}
+
+// The explanation of a pixel.
+
+const decimals = (light) => light.map((register) => register.toFixed(4)).join(' ');
+
+function explain(name, { x, y, light, samples, index, color, rays, tree, untold }) {
+  const title = element('h2', { textContent: `${name}, pixel ${x},${y}` });
+  const seen = element('div', {}, `linear light ${decimals(light)}`, samples > 1 ? `, the mean of ${samples} samples` : '');
+  if (index !== null) {
+    seen.append(`; entry ${index} of the table, `, swatch(color), ` ${hex(color)}`);
+  }
+  const count = Object.entries(rays).filter(([, number]) => number > 0).map(([kind, number]) => `${number} ${kind}`);
+  const items = tree.map((ray) => {
+    const item = element('li', {}, `${ray.kind}: ${ray.text}`);
+    item.style.setProperty('--depth', ray.depth);
+    if (ray.light.some((register) => register > 0)) {
+      item.append(`; brings ${decimals(ray.light)}`);
+    }
+    if (ray.line !== null) {
+      const there = element('button', { className: 'line', textContent: `line ${ray.line}` });
+      there.onclick = () => select(ray.line, 1);
+      item.append(' ', there);
+    }
+    return item;
+  });
+  if (untold > 0) {
+    items.push(element('li', { textContent: `and ${untold} more` }));
+  }
+  $('explanation').replaceChildren(title, seen, element('div', { textContent: `rays: ${count.join(', ')}` }), element('ol', {}, ...items));
+}
+
+// The text.
+
+// Puts the cursor at a place of the text.
+function select(line, column) {
+  const text = $('text');
+  const before = text.value.split('\n').slice(0, line - 1).reduce((sum, one) => sum + one.length + 1, 0);
+  text.focus();
+  text.setSelectionRange(before + column - 1, before + column - 1);
+  text.scrollTop = (line - 5) * (text.scrollHeight / text.value.split('\n').length);
+}
+
+function number(wrong) {
+  const count = $('text').value.split('\n').length;
+  const lines = [];
+  for (let line = 1; line <= count; line += 1) {
+    lines.push(line === wrong ? element('b', { textContent: line }) : String(line), '\n');
+  }
+  $('lines').replaceChildren(...lines);
+  $('lines').scrollTop = $('text').scrollTop;
+}
+
+function place({ line, column }) {
+  return line === null || line === undefined ? '' : `line ${line}${column ? `, column ${column}` : ''}: `;
+}
+
+function said(className, what) {
+  const made = element('div', { className });
+  if (what.line) {
+    const there = element('button', { className: 'line', textContent: place(what) });
+    there.onclick = () => select(what.line, what.column ?? 1);
+    made.append(there);
+  }
+  made.append(what.message);
+  return made;
+}
+
+// Checking and drawing.
+
+const displays = [];
+let shipped = [];
+let checker = null;
+let checking = false;
+let again = false;
+let pause;
+
+const request = (name) => {
+  const setting = Object.fromEntries(SETTINGS.map((one) => [one, $(one).value]));
+  const { size, format, model, depth, table, dither } = setting;
+  return `${name} ${size} ${format} ${model} ${depth} ${table} ${dither}\n${$('text').value}`;
+};
+
+// Has the text checked, and drawn if nothing is wrong with it. What is drawn is what was checked.
+function look() {
+  clearTimeout(pause);
+  pause = undefined;
+  if (checking) {
+    again = true;
+    return;
+  }
+  checking = true;
+  again = false;
+  document.body.dataset.state = 'checking';
+  const requests = displays.map((display) => request(display.about.name));
+  checker.requests = requests;
+  checker.postMessage({ job: 0, kind: 'check', request: requests[0] });
+}
+
+function checked({ checked: fine, failed, choices }) {
+  if (choices !== undefined) {
+    offer(choices);
+    return;
+  }
+  checking = false;
+  if (failed?.ended) {
+    checker.terminate();
+    checker = worker(checkedAgain);
+  }
+  if (again) {
+    look();
+    return;
+  }
+  // More was typed: what there is to say is out of date.
+  if (pause !== undefined) {
+    return;
+  }
+  document.body.dataset.state = failed ? 'wrong' : 'fine';
+  $('text').classList.toggle('wrong', failed !== undefined);
+  number(failed?.line);
+  $('message').replaceChildren(...(failed ? [said('error', failed)] : fine.warnings.map((warning) => said('warning', warning))));
+  if (!failed) {
+    // What `auto` stands for.
+    $('model').options[0].textContent = $('model').value === 'auto' ? `the scene's: ${fine.model}` : "the scene's";
+    $('depth').options[0].textContent = $('depth').value === 'auto' ? `the scene's: ${fine.depth}` : "the scene's";
+    displays.forEach((display, index) => display.draw(checker.requests[index]));
+  }
+}
+
+// A checker that takes the place of another has nothing to offer that is new.
+function checkedAgain(data) {
+  if (data.choices === undefined) {
+    checked(data);
+  }
+}
+
+// The link: the settings, and the name of a shipped scene or a text, deflated.
+
+async function through(stream, bytes) {
+  return new Uint8Array(await new Response(new Blob([bytes]).stream().pipeThrough(stream)).arrayBuffer());
+}
+
+async function pack(text) {
+  const bytes = await through(new CompressionStream('deflate-raw'), new TextEncoder().encode(text));
+  const letters = Array.from(bytes, (byte) => String.fromCharCode(byte)).join('');
+  return btoa(letters).replaceAll('+', '-').replaceAll('/', '_').replaceAll('=', '');
+}
+
+async function unpack(packed) {
+  const letters = atob(packed.replaceAll('-', '+').replaceAll('_', '/'));
+  const bytes = Uint8Array.from(letters, (letter) => letter.charCodeAt(0));
+  return new TextDecoder('utf-8', { fatal: true }).decode(await through(new DecompressionStream('deflate-raw'), bytes));
+}
+
+let links = 0;
+
+async function link() {
+  links += 1;
+  const mine = links;
+  const text = $('text').value;
+  const words = new URLSearchParams(SETTINGS.map((name) => [name, $(name).value]));
+  const scene = shipped.find((one) => one.text === text);
+  $('scene').value = scene?.name ?? '';
+  if (scene !== undefined) {
+    words.set('scene', scene.name);
+  } else {
+    words.set('text', await pack(text));
+  }
+  if (mine === links) {
+    history.replaceState(null, '', `#${words}`);
+    $('link').href = `#${words}`;
+  }
+}
+
+// Takes settings and scene from the link; what it does not say is as on the first visit.
+async function follow() {
+  const words = new URLSearchParams(location.hash.slice(1));
+  for (const name of SETTINGS) {
+    $(name).value = words.get(name) ?? FIRST[name];
+    if ($(name).selectedIndex < 0) {
+      $(name).value = FIRST[name];
+    }
+  }
+  let text = (shipped.find(({ name }) => name === words.get('scene')) ?? shipped[0]).text;
+  if (words.has('text')) {
+    try {
+      text = await unpack(words.get('text'));
+    } catch {
+      $('message').replaceChildren(said('error', { message: 'the link is damaged: it holds no scene' }));
+      return;
+    }
+  }
+  $('text').value = text;
+  edited();
+}
+
+function edited() {
+  number();
+  link();
+  look();
+}
+
+// The controls.
+
+function options(id, values) {
+  $(id).replaceChildren(...values.map(([value, text, title]) => element('option', { value, textContent: text ?? value, title: title ?? '' })));
+}
+
+// Fills the page with what the module offers, and begins.
+function offer(choices) {
+  shipped = choices.scenes;
+  const told = ({ name, about }) => [name, name, about];
+  options('scene', [['', 'your own'], ...shipped.map(({ name }) => [name])]);
+  options('model', [['auto', "the scene's"], ...choices.models.map(told)]);
+  options('format', choices.formats.map(told));
+  options('depth', [['auto', "the scene's"], ...Array.from({ length: choices.depth + 1 }, (_, depth) => [String(depth)])]);
+  options('table', choices.tables.map((name) => [name]));
+  options('dither', [['auto', 'what suits'], ...choices.dithers.map((name) => [name])]);
+  options('size', [['1', 'whole'], ['2', 'half'], ['4', 'a quarter'], ['8', 'an eighth']]);
+  for (const about of choices.displays) {
+    const display = new Display(about);
+    displays.push(display);
+    $('displays').append(display.figure);
+  }
+  SETTINGS.forEach((name) => {
+    $(name).onchange = edited;
+  });
+  $('scene').onchange = () => {
+    const scene = shipped.find(({ name }) => name === $('scene').value);
+    if (scene !== undefined) {
+      $('text').value = scene.text;
+      $('text').scrollTop = 0;
+      edited();
+    }
+  };
+  $('text').oninput = () => {
+    number();
+    link();
+    document.body.dataset.state = 'typing';
+    clearTimeout(pause);
+    pause = setTimeout(look, PAUSE);
+  };
+  $('text').onscroll = () => {
+    $('lines').scrollTop = $('text').scrollTop;
+  };
+  onhashchange = follow;
+  follow();
+}
+
+checker = worker(checked);

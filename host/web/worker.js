@@ -1,0 +1,99 @@
+// A worker with a module of its own: it checks a scene, or draws one and explains its pixels.
+//
+// Messages in: { module } first; then { job, kind: 'check' | 'start', request } with the text that the module reads, or
+// { job, kind: 'explain', x, y }. Messages out: { choices } first; then { job } with one of checked, started, rows, done,
+// explained and failed.
+
+// Rows are sent when so many milliseconds have passed: the page shows them, and the worker reads its messages.
+const SLICE = 40;
+
+let module;
+let loaded;
+const turn = new MessageChannel();
+let next = () => {};
+turn.port1.onmessage = () => next();
+
+const memory = (address, length) => new Uint8Array(module.memory.buffer, address, length);
+const bytes = () => memory(module.output(), module.output_len()).slice();
+const json = () => JSON.parse(new TextDecoder().decode(bytes()));
+
+// Throws the answer of a call that failed.
+function answered(status) {
+  if (status !== 0) {
+    throw json();
+  }
+}
+
+// Writes a request and has it answered.
+function ask(name, request) {
+  const text = new TextEncoder().encode(request);
+  const address = module.alloc(text.length);
+  memory(address, text.length).set(text);
+  answered(module[name]());
+  return json();
+}
+
+// Does the rest of the drawing after the messages that wait.
+function later(job, act) {
+  next = () => guarded(job, act);
+  turn.port2.postMessage(null);
+}
+
+// Draws rows from `first` on for a while.
+function draw(job, { width, height }, first) {
+  const end = performance.now() + SLICE;
+  const rows = [];
+  do {
+    answered(module.row(first + rows.length));
+    rows.push(bytes());
+  } while (first + rows.length < height && performance.now() < end);
+  const pixels = new Uint8ClampedArray(rows.length * width * 4);
+  rows.forEach((row, index) => pixels.set(row, index * width * 4));
+  answered(module.colors());
+  const colors = bytes();
+  postMessage({ job, rows: { first, pixels, colors } }, [pixels.buffer, colors.buffer]);
+  if (first + rows.length < height) {
+    later(job, () => draw(job, { width, height }, first + rows.length));
+  } else {
+    postMessage({ job, done: true });
+  }
+}
+
+// Tells what goes wrong: an error of the module, or its end, after which it is of no more use.
+function guarded(job, act, kind = 'draw') {
+  try {
+    act();
+  } catch (error) {
+    const ended = error instanceof Error;
+    const message = ended ? `the module has ended: ${error.message}` : error.message;
+    postMessage({ job, failed: { ...error, message, ended, kind } });
+  }
+}
+
+const kinds = {
+  check({ job, request }) {
+    postMessage({ job, checked: ask('check', request) });
+  },
+  start({ job, request }) {
+    next = () => {};
+    const started = ask('start', request);
+    postMessage({ job, started });
+    later(job, () => draw(job, started, 0));
+  },
+  explain({ job, x, y }) {
+    answered(module.explain(x, y));
+    postMessage({ job, explained: { x, y, ...json() } });
+  },
+};
+
+onmessage = ({ data }) => {
+  if (data.module !== undefined) {
+    loaded = WebAssembly.instantiate(data.module).then((instance) => {
+      module = instance.exports;
+      answered(module.choices());
+      postMessage({ choices: json() });
+    });
+  } else {
+    loaded.then(() => guarded(data.job, () => kinds[data.kind](data), data.kind));
+  }
+};
