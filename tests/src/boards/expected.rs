@@ -123,7 +123,8 @@ pub fn streamed(picture: &Picture, size: (u32, u32)) -> Result<Indexed, Failure>
 /// # Errors
 /// The scene does not fit the number format.
 pub fn shown(picture: &Picture, output: Output) -> Result<Indexed, Failure> {
-    let Output::Screen { screen: (_, _, gun_max), .. } = output else {
+    let (Output::Screen { screen: (_, _, gun_max), .. } | Output::File { screen: (_, _, gun_max) }) = output
+    else {
         return streamed(picture, picture.size);
     };
     paint(picture, picture.size, gun_max, Adaptive::tolerant(256, gun_max)?)
