@@ -63,6 +63,8 @@ mod encoder;
 
 #[cfg(test)]
 mod tests {
+    #![allow(clippy::indexing_slicing)] // a test may panic
+
     use rta_core::color::Rgb;
     use rta_drivers::display::expand;
 
