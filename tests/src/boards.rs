@@ -6,11 +6,14 @@
 
 pub mod board;
 pub mod compare;
+pub mod dos;
+pub mod dosbox;
 pub mod elf;
 pub mod expected;
 pub mod footprint;
 pub mod machine;
 pub mod models;
+pub mod pcx;
 pub mod picture;
 pub mod qmp;
 pub mod report;

@@ -9,7 +9,8 @@ use std::process::{Command, ExitCode, Stdio};
 use std::time::Instant;
 
 use clap::Parser;
-use rta_tests::boards::board::{ALL, Board, TARGET_FOLDERS};
+use rta_tests::boards::board::{ALL, Board, DOS, TARGET_FOLDERS};
+use rta_tests::boards::dos;
 use rta_tests::boards::footprint::{self, Footprint};
 use rta_tests::boards::models;
 use rta_tests::boards::picture::Picture;
@@ -76,6 +77,11 @@ fn run(args: &Args) -> Result<bool, Failure> {
     failures.extend(report::superfluous(&rows));
     failures.extend(models::strange(&rows)?);
     failures.extend(models::large(&rows));
+    if !args.brief
+        && let Some((board, toolchain, picture)) = jobs.iter().find(|(board, ..)| *board == DOS)
+    {
+        failures.extend(dos::failures(board, *toolchain, picture)?);
+    }
     let recorded = rows.iter().filter(|row| row.picture.model.is_none());
     let footprints: Vec<Footprint> = recorded.filter_map(|row| row.footprint.clone()).collect();
     let page = folder().join("FOOTPRINT.md");
@@ -109,10 +115,12 @@ fn run(args: &Args) -> Result<bool, Failure> {
 
 /// Returns the compiler for a board, or an error where its emulator or its compiler is missing.
 fn ready(board: &Board) -> Result<Toolchain, Failure> {
-    let probe =
-        Command::new(board.emulator).arg("--version").stdout(Stdio::null()).stderr(Stdio::null()).status();
-    if probe.is_err() {
-        return Err(format!("no {}: see tests/boards/setup", board.emulator).into());
+    for program in board.programs() {
+        let probe =
+            Command::new(program).arg("--version").stdout(Stdio::null()).stderr(Stdio::null()).status();
+        if probe.is_err() {
+            return Err(format!("no {program}: see tests/boards/setup").into());
+        }
     }
     Toolchain::find(board)
 }

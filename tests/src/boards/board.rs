@@ -47,6 +47,11 @@ pub enum Output {
         /// Pixels of the screendump for each pixel of the panel, along each axis.
         zoom: u32,
     },
+    /// In a PCX file that a DOS program writes of what its screen shows. One program draws all scenes.
+    File {
+        /// Width, height and highest level of the screen.
+        screen: (u32, u32, u8),
+    },
 }
 
 /// Form in which an emulator takes an image.
@@ -126,8 +131,21 @@ const fn pc(name: &'static str, feature: &'static str, image: Image) -> Board {
     }
 }
 
+/// The same PC under DOS.
+pub const DOS: Board = Board {
+    name: "pc-dos",
+    processor: "i486",
+    package: "pc",
+    feature: Some("dos"),
+    target: "i486-none",
+    linker: "ld.lld",
+    emulator: "dosbox",
+    arguments: &[],
+    output: Output::File { screen: (320, 200, 63) },
+};
+
 /// All boards.
-pub const ALL: [Board; 9] = [
+pub const ALL: [Board; 10] = [
     cortex_m("microbit", "Cortex-M0", "thumbv6m-none-eabi"),
     cortex_m("lm3s6965evb", "Cortex-M3", "thumbv7m-none-eabi"),
     Board {
@@ -164,6 +182,7 @@ pub const ALL: [Board; 9] = [
     },
     pc("pc", "multiboot", Image::Kernel),
     pc("pc-floppy", "floppy", Image::Floppy),
+    DOS,
     Board {
         name: "sparc",
         processor: "SPARC v8",
@@ -192,6 +211,14 @@ pub const ALL: [Board; 9] = [
 pub const TARGET_FOLDERS: usize = 2;
 
 impl Board {
+    /// Returns the programs that the board is run with: its emulator, and what that needs.
+    #[must_use]
+    pub fn programs(&self) -> Vec<&'static str> {
+        let screen: &[_] =
+            if matches!(self.output, Output::File { .. }) { &["Xvfb", "xdotool"] } else { &[] };
+        [&[self.emulator], screen].concat()
+    }
+
     /// Returns the number of the target folder, below [`TARGET_FOLDERS`], that the board's images are built in. Each
     /// target has one folder, so that its `core` is built once only, and each folder gets about half of the work.
     #[must_use]

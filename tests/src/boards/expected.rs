@@ -157,7 +157,7 @@ fn paneled(picture: &Picture) -> Result<Indexed, Failure> {
 /// The scene does not fit the number format.
 pub fn shown(picture: &Picture, output: Output) -> Result<Indexed, Failure> {
     match output {
-        Output::Screen { screen: (_, _, gun_max), .. } => {
+        Output::Screen { screen: (_, _, gun_max), .. } | Output::File { screen: (_, _, gun_max) } => {
             paint(picture, picture.size, gun_max, Adaptive::tolerant(256, gun_max)?)
         }
         Output::Panel { .. } => paneled(picture),

@@ -12,6 +12,7 @@ use std::time::Instant;
 use rta_core::color::Rgb;
 
 use super::board::{Board, Image, Output};
+use super::dosbox::{self, Session};
 use super::expected::{Indexed, greys};
 use super::qmp::Qmp;
 use super::{Failure, elf, folder};
@@ -68,12 +69,12 @@ impl Running {
     }
 }
 
-/// Runs an image and returns its picture and reports; `room` is an empty folder for the files that are written
-/// meanwhile.
+/// Runs an image and returns its picture and reports; `scene` is what it draws, and `room` an empty folder for the files that
+/// are written meanwhile.
 ///
 /// # Errors
 /// The emulator cannot be started, the board reports a failure, or it says nothing for ten minutes.
-pub fn run(board: &Board, image: &Path, room: &Path) -> Result<Outcome, Failure> {
+pub fn run(board: &Board, image: &Path, scene: &str, room: &Path) -> Result<Outcome, Failure> {
     match board.output {
         Output::Semihosting => {
             let mut command = Command::new(board.emulator);
@@ -90,7 +91,24 @@ pub fn run(board: &Board, image: &Path, room: &Path) -> Result<Outcome, Failure>
         }
         Output::Screen { image: kind, .. } => screened(board, kind, image, room),
         Output::Panel { zoom, .. } => paneled(board, image, room, zoom as usize),
+        Output::File { .. } => filed(image, scene, room),
     }
+}
+
+fn filed(image: &Path, scene: &str, room: &Path) -> Result<Outcome, Failure> {
+    let drive = dosbox::drive(image, room)?;
+    let ended = drive.run(&Session::new(scene))?;
+    if ended.level != 0 || !ended.said.is_empty() {
+        return Err(format!("errorlevel {}: {}", ended.level, ended.said).into());
+    }
+    Ok(Outcome {
+        drawn: drive.picture()?,
+        screendump: None,
+        stack: None,
+        before: None,
+        instructions: None,
+        hash: None,
+    })
 }
 
 fn streamed(mut command: Command, room: &Path) -> Result<Outcome, Failure> {

@@ -53,6 +53,9 @@ impl Picture {
     /// Whether the picture is among those that `--brief` draws.
     #[must_use]
     pub fn is_brief(&self, board: &Board) -> bool {
+        if matches!(board.output, Output::File { .. }) {
+            return self.scene == "juggler";
+        }
         if let Some(model) = self.model {
             let is_drawn = matches!(board.name, "microbit" | "sparc" | "wasm") && BRIEF.contains(&model);
             let is_own = match self.scene {
@@ -174,6 +177,11 @@ impl Board {
                 if self.name == "pc-floppy" && (scene != "juggler" || format != Format::Q16) {
                     continue;
                 }
+                // A DOS program draws all of the thesis's scenes, and in q16 only.
+                if matches!(self.output, Output::File { .. }) && (scene == "opaque" || format != Format::Q16)
+                {
+                    continue;
+                }
                 let size = match self.output {
                     Output::Screen { screen: (width, height, _), .. }
                         if (self.name == "sparc" && scene == "glass-2" && format == Format::Q16)
@@ -181,6 +189,7 @@ impl Board {
                     {
                         (width, height)
                     }
+                    Output::File { screen: (width, height, _) } => (width, height),
                     Output::Screen { .. } => (320, 200),
                     Output::Panel { size, .. } => size,
                     Output::Semihosting | Output::Module => STREAMED,
@@ -198,7 +207,9 @@ impl Board {
                 }
             }
         }
-        pictures.extend(self.of_models());
+        if !matches!(self.output, Output::File { .. }) {
+            pictures.extend(self.of_models());
+        }
         pictures
     }
 

@@ -55,6 +55,20 @@ impl Toolchain {
     /// # Errors
     /// The compiler's.
     pub fn build(self, board: &Board, picture: &Picture) -> Result<PathBuf, Failure> {
+        self.build_with(board, picture, None)
+    }
+
+    /// Builds an image as [`build`](Self::build) does; a DOS program with the scene files `scenes` of the folder of shipped ones, if they
+    /// are given, with colons between them.
+    ///
+    /// # Errors
+    /// The compiler's.
+    pub fn build_with(
+        self,
+        board: &Board,
+        picture: &Picture,
+        scenes: Option<&str>,
+    ) -> Result<PathBuf, Failure> {
         let package = folder().join(board.package);
         let target_dir = target_dir(board);
         let upper = board.target.to_uppercase().replace('-', "_");
@@ -82,6 +96,10 @@ impl Toolchain {
         if let Some(feature) = board.feature {
             cargo.args(["--features", feature]);
         }
+        match scenes {
+            Some(scenes) => cargo.env("RTA_SCENES", scenes),
+            None => cargo.env_remove("RTA_SCENES"),
+        };
         let (width, height) = picture.size;
         cargo
             .current_dir(&package)

@@ -87,10 +87,13 @@ impl<'a> FilmWriter<'a> {
                 };
                 encoder.write_frame(&frame).map_err(gif_error)
             }
-            Kind::Png { writer, is_indexed } => Ok(match &picture.pixels {
-                Pixels::Indexed { indices, .. } if *is_indexed => writer.write_image_data(indices)?,
-                _ => writer.write_image_data(&picture.registers())?,
-            }),
+            Kind::Png { writer, is_indexed } => {
+                match &picture.pixels {
+                    Pixels::Indexed { indices, .. } if *is_indexed => writer.write_image_data(indices)?,
+                    _ => writer.write_image_data(&picture.registers())?,
+                }
+                Ok(())
+            }
             Kind::Ppm(out) => picture.write_ppm(out),
         }
     }

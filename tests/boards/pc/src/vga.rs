@@ -4,21 +4,21 @@ use rta_drivers::bus::{Memory, Ports};
 
 use crate::port;
 
-/// Video memory as mode 13h shows it.
-const WINDOW: *mut u8 = 0xA_0000 as *mut u8;
+/// Where video memory is, as mode 13h shows it.
+const WINDOW: usize = 0xA_0000;
 /// Its size in bytes.
 const WINDOW_LEN: usize = 0x1_0000;
 
-/// A VGA.
-pub(crate) struct Vga(());
+/// A VGA, and its memory as the program addresses it.
+pub(crate) struct Vga(*mut u8);
 
 impl Vga {
-    /// Takes the VGA.
+    /// Takes the VGA. `base` is the linear address at which the program's segments begin: 0 in flat memory.
     ///
     /// # Safety
-    /// On a PC only, in flat memory without paging; nobody else may use the VGA from here on.
-    pub(crate) unsafe fn open() -> Self {
-        Self(())
+    /// On a PC only, with segments of 4 GiB that begin at `base`, without paging; nobody else may use the VGA from here on.
+    pub(crate) unsafe fn open(base: u32) -> Self {
+        Self(core::ptr::with_exposed_provenance_mut(WINDOW - base as usize))
     }
 }
 
@@ -43,7 +43,7 @@ impl Memory for Vga {
     fn write(&mut self, offset: u32, bytes: &[u8]) {
         for (at, &byte) in offsets(offset).zip(bytes) {
             // SAFETY: `at` is inside the window, which holds no object of the program.
-            unsafe { WINDOW.add(at).write_volatile(byte) };
+            unsafe { self.0.add(at).write_volatile(byte) };
         }
     }
 
@@ -51,7 +51,7 @@ impl Memory for Vga {
         let mut at = offsets(offset);
         for byte in bytes {
             // SAFETY: as in `write`.
-            *byte = at.next().map_or(0xFF, |at| unsafe { WINDOW.add(at).read_volatile() });
+            *byte = at.next().map_or(0xFF, |at| unsafe { self.0.add(at).read_volatile() });
         }
     }
 }

@@ -19,7 +19,7 @@ use rta_drivers::quantize::{Adaptive, ColorTable, Palette, TableError, Uniform, 
 include!(concat!(env!("OUT_DIR"), "/choice.rs"));
 
 /// Recursion depth.
-const DEPTH: u8 = 5;
+pub const DEPTH: u8 = 5;
 
 /// How the colours of the picture are chosen.
 #[derive(Clone, Copy, PartialEq, Eq)]
