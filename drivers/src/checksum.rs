@@ -26,16 +26,22 @@ use crate::display::{Capabilities, Display, DriverError};
 
 /// The state of the hash function FNV-1a of 64 bits (Fowler, Noll, Vo; RFC 9923).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-struct Fnv(u64);
+pub struct Fnv(u64);
 
 impl Fnv {
     /// The hash of no bytes: the offset basis of the RFC.
-    const EMPTY: Self = Self(0xcbf2_9ce4_8422_2325);
+    pub const EMPTY: Self = Self(0xcbf2_9ce4_8422_2325);
     /// The prime of the RFC, 2^40 + 2^8 + B3h.
     const PRIME: u64 = 0x0000_0100_0000_01b3;
 
-    fn add(&mut self, byte: u8) {
-        self.0 = (self.0 ^ u64::from(byte)).wrapping_mul(Self::PRIME);
+    /// Returns the hash.
+    pub const fn value(self) -> u64 {
+        self.0
+    }
+
+    /// Adds a byte to what was hashed.
+    pub const fn add(&mut self, byte: u8) {
+        self.0 = (self.0 ^ byte as u64).wrapping_mul(Self::PRIME);
     }
 }
 

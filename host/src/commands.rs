@@ -5,6 +5,7 @@ pub mod check;
 pub mod convert;
 pub mod explain;
 pub mod hash;
+pub mod merge;
 pub mod pages;
 pub mod render;
 pub mod show;

@@ -4,6 +4,7 @@
 
 use rta_scenes::bake::BakeError;
 
+use crate::commands::merge::MergeError;
 use crate::engine::bands::BandsError;
 use crate::picture::error::PictureError;
 use crate::picture::raster::Size;
@@ -29,6 +30,9 @@ pub enum Error {
     /// The scene cannot be turned into Rust source.
     #[error(transparent)]
     Bake(#[from] BakeError),
+    /// Parts make no picture.
+    #[error(transparent)]
+    Merge(#[from] MergeError),
     /// A frame of a film cannot be drawn.
     #[error("frame {number}, the instant {instant}: {source}")]
     Frame {

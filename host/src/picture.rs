@@ -5,6 +5,7 @@ pub mod error;
 pub mod file;
 pub mod frame;
 pub mod output;
+pub mod part;
 pub mod screen;
 pub mod text;
 

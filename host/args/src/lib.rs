@@ -16,7 +16,7 @@ use clap::{Parser, Subcommand};
 pub use advice::parse;
 pub use explain::{Choice, ExplainArgs};
 pub use pages::{CompletionsArgs, ManArgs};
-pub use picture::{DrawingArgs, FilmArgs, HashArgs, JuggleArgs, RenderArgs, ShowArgs};
+pub use picture::{DrawingArgs, FilmArgs, HashArgs, JuggleArgs, MergeArgs, RenderArgs, ShowArgs};
 pub use scene::{BakeArgs, CheckArgs, ConvertArgs, ReadingArgs};
 pub use study::{
     BenchArgs, CompareArgs, DifferenceArgs, FiguresArgs, IndexingArgs, InstructionsArgs, PaletteArgs, Peer,
@@ -71,6 +71,11 @@ pub enum Command {
     ///
     /// 24 frames, as his, unless --frames says otherwise; all options are those of rta render, and the scene is scenes/juggler.rta.
     Juggle(JuggleArgs),
+    /// Make a picture of its parts, which several machines traced by rta render --rows
+    ///
+    /// The picture is, byte for byte, the one that rta render makes of the whole. Parts that are cut off or damaged, overlap, leave a gap, or
+    /// belong to other settings or another scene are refused.
+    Merge(MergeArgs),
     /// Put every number format through the cases that break ray tracers, beside f64
     ///
     /// One row for each case and format: panics, overflows, lights that are no number, points that shadow themselves,

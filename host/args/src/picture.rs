@@ -8,6 +8,7 @@ use super::choice;
 use super::tracing::TracingArgs;
 use crate::value::device::{Device, Target};
 use crate::value::file_type::FileType;
+use crate::value::rows::Rows;
 use rta_scenes::Format;
 
 /// `rta show`.
@@ -35,9 +36,31 @@ impl Default for ShowArgs {
 pub struct RenderArgs {
     /// Scene file (.rta, .dat, .nff or .p3f), or - for standard input
     pub scene: PathBuf,
+    /// Trace only these rows, A to before B, into a part of the picture; rta merge makes pictures of parts
+    ///
+    /// For several machines, each with rows of its own and all else alike. A part of linear light, for a PFM or HDR, is asked for by --as.
+    #[arg(long, value_name = "A..B", conflicts_with = "frames")]
+    pub rows: Option<Rows>,
     /// What is drawn of it, and into which file.
     #[command(flatten)]
     pub drawing: DrawingArgs,
+}
+
+/// `rta merge`.
+#[derive(Args, Debug)]
+pub struct MergeArgs {
+    /// Parts of a picture, in any order: files of rta render --rows
+    #[arg(required = true)]
+    pub parts: Vec<PathBuf>,
+    /// Picture file; its extension tells the kind (see --as); - is standard output
+    #[arg(short, long, value_name = "FILE")]
+    pub output: PathBuf,
+    /// Kind of picture, whatever the name of the file says [default: by the extension; png into pipes]
+    #[arg(long = "as", value_enum, ignore_case = true, value_name = "TYPE")]
+    pub file_type: Option<FileType>,
+    /// Say nothing but errors
+    #[arg(short, long)]
+    pub quiet: bool,
 }
 
 /// `rta juggle`.

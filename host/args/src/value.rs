@@ -6,4 +6,5 @@ pub mod degrees;
 pub mod device;
 pub mod file_type;
 pub mod raster;
+pub mod rows;
 pub mod sampling;

@@ -1,5 +1,6 @@
 //! What can go wrong with a picture between the tracer and its file or its emulated device.
 
+use core::ops::Range;
 use std::io;
 use std::path::{Path, PathBuf};
 
@@ -47,6 +48,19 @@ pub enum PictureError {
     /// A film was asked of a kind of file that holds one picture.
     #[error("a {0} holds one picture: a film needs a .gif, .png or .ppm")]
     OnePicture(FileType),
+    /// Parts hold light of another kind than the file.
+    #[error(
+        "the parts do not hold the light of a {0}: linear light is what rta render --rows --as pfm traces, levels what it traces else"
+    )]
+    OtherLight(FileType),
+    /// The picture has no such rows.
+    #[error("rows {}..{} are not in a picture of {size}, whose rows are 0..{}", rows.start, rows.end, size.height())]
+    NoSuchRows {
+        /// The rows.
+        rows: Range<u32>,
+        /// The picture.
+        size: Size,
+    },
     /// The output cannot be written.
     #[error("cannot write {}: {}", name(path), reason(source))]
     Write {

@@ -210,8 +210,12 @@ pub fn write_pfm_header(size: Size, out: &mut (impl Write + ?Sized)) -> io::Resu
 /// # Errors
 /// Those of `out`.
 pub fn write_light(pixels: &[Rgb<f32>], out: &mut (impl Write + ?Sized)) -> io::Result<()> {
-    let registers = pixels.iter().flat_map(|pixel| [pixel.r, pixel.g, pixel.b]);
-    out.write_all(&registers.flat_map(f32::to_le_bytes).collect::<Vec<u8>>())
+    out.write_all(&light_bytes(pixels))
+}
+
+/// Returns linear light as 32-bit floats, little endian: red, green, blue of all pixels one after the other.
+pub(crate) fn light_bytes(pixels: &[Rgb<f32>]) -> Vec<u8> {
+    pixels.iter().flat_map(|pixel| [pixel.r, pixel.g, pixel.b]).flat_map(f32::to_le_bytes).collect()
 }
 
 /// Reverses the order of rows of `columns` pixels.

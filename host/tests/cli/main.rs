@@ -16,6 +16,7 @@ mod mistakes;
 mod nff;
 mod outputs;
 mod palette;
+mod parts;
 mod pictures;
 mod pipes;
 mod refused;

@@ -1,0 +1,90 @@
+//! Some rows of a picture, for `rta merge`.
+
+use core::ops::Range;
+use std::io::{self, Write};
+use std::time::Instant;
+
+use rta_core::color::Rgb;
+use rta_drivers::checksum::Fnv;
+
+use super::Work;
+use crate::args::DrawingArgs;
+use crate::engine::interrupt;
+use crate::error::Error;
+use crate::picture::device::Target;
+use crate::picture::error::{PictureError, name};
+use crate::picture::output::Output;
+use crate::picture::part::{Light, Part, Whole};
+use crate::request::Request;
+use crate::request::error::RequestError;
+use crate::request::scene_file::SceneFile;
+
+/// Traces some rows of a scene's picture into a file.
+pub(super) fn draw(
+    args: &DrawingArgs,
+    rows: &Range<u32>,
+    scene: impl FnOnce() -> Result<SceneFile, RequestError>,
+) -> Result<(), Error> {
+    let began = Instant::now();
+    Request::of(&args.tracing, args.device).raster()?;
+    let linear = args.file_type.filter(|file_type| file_type.is_linear());
+    if let (Some(file_type), Target::On(device)) = (linear, args.device) {
+        return Err(PictureError::LinearFromDevice { file_type, device }.into());
+    }
+    let scene = scene()?;
+    let output = Output::open(&args.output, &scene.inputs)?;
+    let request = Request::of_scene(&args.tracing, args.device, &scene)?;
+    let (size, aspect) = request.raster()?;
+    if rows.end > size.height() {
+        return Err(PictureError::NoSuchRows { rows: rows.clone(), size }.into());
+    }
+    let whole = Whole {
+        size,
+        aspect,
+        target: request.target,
+        coloring: request.coloring,
+        is_linear: linear.is_some(),
+        caption: request.caption(&scene),
+        scene: hash(&scene),
+    };
+    let work = Work::new(&request, &scene, args.tracing.threads, interrupt::watch())?.quiet(args.quiet);
+    if !args.quiet {
+        request.fit(aspect).advise(&scene);
+    }
+    let part = traced(&work, whole, rows)?;
+    output.write(&part.write())?;
+    if !args.quiet {
+        let (file, settings, seconds) = (name(&args.output), &part.whole.caption.settings, began.elapsed());
+        let rows = format!("rows {}..{} of {size}", rows.start, rows.end);
+        // Whoever has closed standard error does not want to know.
+        let _ = writeln!(io::stderr(), "rta: {file}: {rows}, {settings}; {:.2} s", seconds.as_secs_f64());
+    }
+    Ok(())
+}
+
+fn traced(work: &Work<'_>, whole: Whole, rows: &Range<u32>) -> Result<Part, Error> {
+    let light = if whole.is_linear {
+        Light::Linear(work.rows(rows, |engine, first, out: &mut [Rgb<f32>]| engine.linear_rows(first, out))?)
+    } else {
+        let most = whole.most();
+        Light::Levels(work.rows(rows, |engine, first, out: &mut [_]| engine.level_rows(first, most, out))?)
+    };
+    let grid = match whole.lattice() {
+        Some(lattice) => work.grid_rows(lattice, &whole.grid_rows(rows))?,
+        None => Vec::new(),
+    };
+    Ok(Part { whole, rows: rows.clone(), light, grid })
+}
+
+/// Returns a hash of all of a scene that its picture depends on.
+fn hash(scene: &SceneFile) -> u64 {
+    let (description, mut hash) = (&scene.description, Fnv::EMPTY);
+    let mut add = |text: &str| text.bytes().for_each(|byte| hash.add(byte));
+    add(&description.to_rta());
+    add(&description.details.scanline.to_string());
+    for (file, pixels) in &description.details.pictures {
+        add(file);
+        add(&format!("{pixels:?}"));
+    }
+    hash.value()
+}
