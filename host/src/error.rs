@@ -4,9 +4,9 @@
 
 use rta_scenes::bake::BakeError;
 
-use crate::commands::merge::MergeError;
 use crate::engine::bands::BandsError;
 use crate::picture::error::PictureError;
+use crate::picture::part::MergeError;
 use crate::picture::raster::Size;
 use crate::request::error::RequestError;
 use crate::study::error::StudyError;

@@ -6,6 +6,7 @@
 
 use core::ops::Range;
 use core::str::FromStr;
+use std::path::PathBuf;
 
 use clap::ValueEnum;
 use rta_core::color::Rgb;
@@ -80,6 +81,46 @@ pub enum PartError {
     /// Its content is not what was written.
     #[error("damaged: its hash is not that of its content")]
     Damaged,
+}
+
+/// Why parts make no picture. It prints as one line.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum MergeError {
+    /// A file is no part, or not all of one.
+    #[error("{}: {source}", path.display())]
+    Part {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong with it.
+        source: PartError,
+    },
+    /// Two parts are not of one picture.
+    #[error("{} and {} are of two pictures: {setting} is {} in one and {} in the other", paths.0.display(), paths.1.display(), values.0, values.1)]
+    Other {
+        /// Their files.
+        paths: Box<(PathBuf, PathBuf)>,
+        /// What is not the same.
+        setting: &'static str,
+        /// Its values.
+        values: Box<(String, String)>,
+    },
+    /// Rows are in two parts.
+    #[error("rows {}..{} are in {} and in {}", rows.start, rows.end, paths.0.display(), paths.1.display())]
+    Overlap {
+        /// The rows.
+        rows: Range<u32>,
+        /// The files.
+        paths: Box<(PathBuf, PathBuf)>,
+    },
+    /// Rows are in no part.
+    #[error("rows {}..{} of {height} are in none of the parts", rows.start, rows.end)]
+    Gap {
+        /// The rows.
+        rows: Range<u32>,
+        /// The number of rows of the picture.
+        height: u32,
+    },
 }
 
 impl Whole {
