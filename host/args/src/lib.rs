@@ -71,9 +71,9 @@ pub enum Command {
     ///
     /// 24 frames, as his, unless --frames says otherwise; all options are those of rta render, and the scene is scenes/juggler.rta.
     Juggle(JuggleArgs),
-    /// Make a picture of its parts, which several machines traced by rta render --rows
+    /// Make a picture or a film of its parts, which several machines traced by rta render --rows or --only
     ///
-    /// The picture is, byte for byte, the one that rta render makes of the whole. Parts that are cut off or damaged, overlap, leave a gap, or
+    /// It is, byte for byte, the one that rta render makes of the whole. Parts that are cut off or damaged, overlap, leave a gap, or
     /// belong to other settings or another scene are refused.
     Merge(MergeArgs),
     /// Put every number format through the cases that break ray tracers, beside f64

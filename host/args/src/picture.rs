@@ -41,6 +41,9 @@ pub struct RenderArgs {
     /// For several machines, each with rows of its own and all else alike. A part of linear light, for a PFM or HDR, is asked for by --as.
     #[arg(long, value_name = "A..B", conflicts_with = "frames")]
     pub rows: Option<Rows>,
+    /// Trace only these frames of the film, A to before B, into a part of it; rta merge makes films of parts
+    #[arg(long, value_name = "A..B", requires = "frames", conflicts_with_all = ["rows", "one_table"])]
+    pub only: Option<Rows>,
     /// What is drawn of it, and into which file.
     #[command(flatten)]
     pub drawing: DrawingArgs,
@@ -49,7 +52,7 @@ pub struct RenderArgs {
 /// `rta merge`.
 #[derive(Args, Debug)]
 pub struct MergeArgs {
-    /// Parts of a picture, in any order: files of rta render --rows
+    /// Parts of a picture or of a film, in any order: files of rta render --rows or --only
     #[arg(required = true)]
     pub parts: Vec<PathBuf>,
     /// Picture file; its extension tells the kind (see --as); - is standard output

@@ -1,5 +1,6 @@
-//! `rta merge`: parts of a picture into a picture file.
+//! `rta merge`: parts of a picture, or of a film, into a file.
 
+use core::ops::Range;
 use core::sync::atomic::AtomicBool;
 use std::fs::File;
 use std::io::{self, Read, Write};
@@ -16,7 +17,8 @@ use crate::engine::interrupt;
 use crate::error::Error;
 use crate::picture::device::Target;
 use crate::picture::error::{PictureError, name};
-use crate::picture::output::{Inputs, PictureOutput};
+use crate::picture::file::film::FilmWriter;
+use crate::picture::output::{Failure, Inputs, PictureOutput};
 use crate::picture::part::{Light, MergeError, Part, Whole};
 
 /// Runs `rta merge`.
@@ -43,9 +45,21 @@ pub fn run(args: &MergeArgs) -> Result<(), Error> {
         }
         _ => {}
     }
+    if whole.film.is_some() && !file_type.holds_films() {
+        return Err(PictureError::OnePicture(file_type).into());
+    }
     let (display, shape) = ((whole.target, whole.coloring), (whole.size, whole.aspect));
-    let work = Work::of(joined, display, shape, None, interrupt::watch())?.quiet(true);
-    output.fill(|out| work.write(file_type, &whole.caption, out))?;
+    output.fill(|out| {
+        let work = |frame| Work::of(joined.frame(&whole, frame), display, shape, None, interrupt::watch());
+        let Some((frames, rate)) = whole.film else {
+            return work(0)?.quiet(true).write(file_type, &whole.caption, out);
+        };
+        let mut film = FilmWriter::new(file_type, shape, (frames, rate), None, &whole.caption, out)?;
+        for frame in 0..frames {
+            film.frame(&work(frame)?.quiet(true).displayed()?)?;
+        }
+        Ok::<_, Failure<Error>>(film.finish()?)
+    })?;
     if !args.quiet {
         let (picture, settings) = (name(&args.output), &whole.caption.settings);
         // Whoever has closed standard error does not want to know.
@@ -63,75 +77,110 @@ fn read(path: &Path) -> Result<(Part, Inputs), Error> {
     Ok((part, Inputs::file(&file)))
 }
 
-/// The light of a whole picture.
+/// The light of a whole picture, or of all frames of a film.
 struct Joined {
-    levels: Vec<Rgb<u8>>,
-    linear: Vec<Rgb<f32>>,
+    light: Light,
     grid: Vec<Rgb<u8>>,
-    columns: usize,
 }
 
-impl Source for Joined {
+impl Joined {
+    /// Returns a frame; that of a picture is 0.
+    fn frame(&self, whole: &Whole, number: u32) -> Frame<'_> {
+        let frames = whole.film.map_or(1, |(frames, _)| frames.max(1));
+        let grid = self.grid.len() / frames as usize;
+        let grid = self.grid.get(number as usize * grid..(number as usize + 1) * grid);
+        let first = number as usize * whole.size.pixels();
+        Frame { light: &self.light, first, columns: whole.size.columns(), grid: grid.unwrap_or_default() }
+    }
+}
+
+/// The light of a picture among that of a film.
+struct Frame<'a> {
+    light: &'a Light,
+    /// Its first pixel.
+    first: usize,
+    columns: usize,
+    grid: &'a [Rgb<u8>],
+}
+
+impl Frame<'_> {
+    fn copy<T: Copy>(&self, from: &[T], row: u32, out: &mut [T]) {
+        let from = from.iter().skip(self.first + row as usize * self.columns);
+        out.iter_mut().zip(from).for_each(|(out, from)| *out = *from);
+    }
+}
+
+impl Source for Frame<'_> {
     fn linear_rows(&self, first: u32, out: &mut [Rgb<f32>]) {
-        copy(&self.linear, first as usize * self.columns, out);
+        if let Light::Linear(light) = self.light {
+            self.copy(light, first, out);
+        }
     }
 
     /// The parts hold the levels that are asked for: those of their display.
     fn level_rows(&self, first: u32, _gun_max: u8, out: &mut [Rgb<u8>]) {
-        copy(&self.levels, first as usize * self.columns, out);
+        if let Light::Levels(levels) = self.light {
+            self.copy(levels, first, out);
+        }
     }
 
     fn on_grid(&self, _: Lattice, _: &ThreadPool, _: &AtomicBool) -> Result<Vec<Rgb<u8>>, BandsError> {
-        Ok(self.grid.clone())
-    }
-}
-
-fn copy<T: Copy>(from: &[T], first: usize, out: &mut [T]) {
-    for (out, from) in out.iter_mut().zip(from.iter().skip(first)) {
-        *out = *from;
+        Ok(self.grid.to_vec())
     }
 }
 
 /// Joins the parts of one picture.
 fn join(mut parts: Vec<(&Path, Part)>) -> Result<(Whole, Joined), MergeError> {
     parts.sort_by_key(|(_, part)| (part.rows.start, part.rows.end));
-    let mut joined = Joined { levels: Vec::new(), linear: Vec::new(), grid: Vec::new(), columns: 0 };
-    let mut before: Option<(&Path, Whole, u32)> = None;
+    let mut joined: Option<(&Path, Part)> = None;
     for (path, part) in parts {
-        let Part { whole, rows, light, grid } = part;
-        let end = match &before {
-            None => 0,
-            Some((first, own, end)) => {
-                let paths = || Box::new((first.to_path_buf(), path.to_owned()));
-                if let Some((setting, here, there)) = own.difference(&whole) {
+        match &mut joined {
+            None => {
+                gap(&part.whole, 0..part.rows.start)?;
+                joined = Some((path, part));
+            }
+            Some((last, all)) => {
+                let paths = || Box::new((last.to_path_buf(), path.to_owned()));
+                if let Some((setting, here, there)) = all.whole.difference(&part.whole) {
                     return Err(MergeError::Other {
                         paths: paths(),
                         setting,
                         values: Box::new((here, there)),
                     });
                 }
-                if rows.start < *end {
-                    let rows = rows.start..rows.end.min(*end);
-                    return Err(MergeError::Overlap { rows, paths: paths() });
+                if part.rows.start < all.rows.end {
+                    let (what, rows) = told(&all.whole, part.rows.start..part.rows.end.min(all.rows.end));
+                    return Err(MergeError::Overlap { what, rows, paths: paths() });
                 }
-                *end
+                gap(&all.whole, all.rows.end..part.rows.start)?;
+                all.rows.end = part.rows.end;
+                all.light.add(part.light);
+                all.grid.extend(part.grid);
+                *last = path;
             }
-        };
-        if rows.start > end {
-            return Err(MergeError::Gap { rows: end..rows.start, height: whole.size.height() });
         }
-        joined.columns = whole.size.columns();
-        match light {
-            Light::Levels(levels) => joined.levels.extend(levels),
-            Light::Linear(linear) => joined.linear.extend(linear),
-        }
-        joined.grid.extend(grid);
-        before = Some((path, whole, rows.end));
     }
     // The command line has at least one part.
-    let Some((_, whole, end)) = before else { return Err(MergeError::Gap { rows: 0..0, height: 0 }) };
-    if end < whole.size.height() {
-        return Err(MergeError::Gap { rows: end..whole.size.height(), height: whole.size.height() });
+    let Some((_, Part { whole, rows, light, grid })) = joined else {
+        return Err(MergeError::Gap { what: "rows", rows: 0..0, all: 0 });
+    };
+    gap(&whole, rows.end..whole.height())?;
+    Ok((whole, Joined { light, grid }))
+}
+
+/// Refuses a gap where there is one.
+fn gap(whole: &Whole, rows: Range<u32>) -> Result<(), MergeError> {
+    if rows.is_empty() {
+        return Ok(());
     }
-    Ok((whole, joined))
+    let (what, rows) = told(whole, rows);
+    Err(MergeError::Gap { what, rows, all: whole.film.map_or(whole.size.height(), |(frames, _)| frames) })
+}
+
+/// Returns rows as they are told: as frames, where the whole is a film.
+fn told(whole: &Whole, rows: Range<u32>) -> (&'static str, Range<u32>) {
+    match whole.film {
+        Some(_) => ("frames", rows.start / whole.size.height()..rows.end / whole.size.height()),
+        None => ("rows", rows),
+    }
 }

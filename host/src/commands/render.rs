@@ -14,7 +14,7 @@ use crate::picture::output::{Failure, PictureOutput};
 use crate::request::Request;
 use crate::request::error::RequestError;
 use crate::request::scene_file::SceneFile;
-use film::Film;
+use film::{Film, tempo};
 use rta_args::value::rows::Rows;
 
 pub use work::{Source, Work};
@@ -31,10 +31,10 @@ const JUGGLER_FRAMES: u32 = 24;
 /// # Errors
 /// All of [`Error`].
 pub fn run(args: &RenderArgs) -> Result<(), Error> {
-    let RenderArgs { scene, rows, drawing } = args;
+    let RenderArgs { scene, rows, only, drawing } = args;
     let scene = || SceneFile::open_as(scene, drawing.tracing.reading.into());
-    match rows {
-        Some(Rows(rows)) => part::draw(drawing, rows, scene),
+    match rows.as_ref().or(only.as_ref()) {
+        Some(Rows(some)) => part::draw(drawing, some, scene),
         None => draw(drawing, scene),
     }
 }
@@ -79,8 +79,8 @@ fn draw(args: &DrawingArgs, scene: impl FnOnce() -> Result<SceneFile, RequestErr
         }
     };
     if let Some(frames) = args.film.frames {
-        caption.settings += &format!(", {frames} frames, {} in a second", args.film.rate);
-        let film = Film::new(&request, &scene, args);
+        caption.settings += &tempo(frames, args.film.rate);
+        let film = Film { request: &request, scene: &scene, args, frames };
         advise();
         output.fill(|out| film.write(file_type, &caption, out))?;
     } else {

@@ -53,13 +53,15 @@ pub enum PictureError {
         "the parts do not hold the light of a {0}: linear light is what rta render --rows --as pfm traces, levels what it traces else"
     )]
     OtherLight(FileType),
-    /// The picture has no such rows.
-    #[error("rows {}..{} are not in a picture of {size}, whose rows are 0..{}", rows.start, rows.end, size.height())]
-    NoSuchRows {
-        /// The rows.
-        rows: Range<u32>,
-        /// The picture.
-        size: Size,
+    /// There are no such rows of the picture, or frames of the film.
+    #[error("there are no {what} {}..{}: they are 0..{all}", some.start, some.end)]
+    NoSuchPart {
+        /// Rows, or frames.
+        what: &'static str,
+        /// Which.
+        some: Range<u32>,
+        /// How many there are.
+        all: u32,
     },
     /// The output cannot be written.
     #[error("cannot write {}: {}", name(path), reason(source))]

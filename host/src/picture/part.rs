@@ -2,11 +2,10 @@
 //!
 //! The file is a header of text, a line for each setting of the [`Whole`], the rows and a hash of all else; an empty line; and then the light
 //! of the rows, 3 bytes or three 32-bit floats (little endian) a pixel, and 3 bytes for each of those pixels of the grid, of which a colour
-//! table is made, that lie in the rows.
+//! table is made, that lie in the rows. The rows of a film are those of its frames, one below the other, and each frame has a grid.
 
 use core::ops::Range;
 use core::str::FromStr;
-use std::path::PathBuf;
 
 use clap::ValueEnum;
 use rta_core::color::Rgb;
@@ -18,6 +17,10 @@ use super::coloring::Coloring;
 use super::device::Target;
 use super::file::{Caption, bytes, light_bytes};
 use super::raster::Size;
+
+mod error;
+
+pub use error::{MergeError, PartError};
 
 /// The line that the file begins with.
 const MAGIC: &str = "rta part 1";
@@ -35,6 +38,8 @@ pub struct Whole {
     pub coloring: Coloring,
     /// Whether the light is linear, and not levels.
     pub is_linear: bool,
+    /// Frames of the film, and how many are shown in a second; nothing for a picture.
+    pub film: Option<(u32, u16)>,
     /// What is written into a picture.
     pub caption: Caption,
     /// A hash of the scene.
@@ -46,7 +51,7 @@ pub struct Whole {
 pub struct Part {
     /// The picture.
     pub whole: Whole,
-    /// The rows, from 0 at the top.
+    /// The rows, from 0 at the top. Of a film they are those of whole frames.
     pub rows: Range<u32>,
     /// Their light.
     pub light: Light,
@@ -63,70 +68,27 @@ pub enum Light {
     Linear(Vec<Rgb<f32>>),
 }
 
-/// Why a file is no part of a picture.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-pub enum PartError {
-    /// It begins otherwise.
-    #[error("no part of a picture: it does not begin with \"{MAGIC}\"")]
-    NoPart,
-    /// A line of the header is not as it should be.
-    #[error("no part of a picture: {0} is missing in its header, or wrong")]
-    Header(&'static str),
-    /// It ends too early.
-    #[error("cut off: {0} bytes are missing at its end")]
-    CutOff(usize),
-    /// It ends too late.
-    #[error("{0} bytes follow its end")]
-    Spare(usize),
-    /// Its content is not what was written.
-    #[error("damaged: its hash is not that of its content")]
-    Damaged,
-}
-
-/// Why parts make no picture. It prints as one line.
-#[derive(Debug, thiserror::Error)]
-#[non_exhaustive]
-pub enum MergeError {
-    /// A file is no part, or not all of one.
-    #[error("{}: {source}", path.display())]
-    Part {
-        /// The file.
-        path: PathBuf,
-        /// What is wrong with it.
-        source: PartError,
-    },
-    /// Two parts are not of one picture.
-    #[error("{} and {} are of two pictures: {setting} is {} in one and {} in the other", paths.0.display(), paths.1.display(), values.0, values.1)]
-    Other {
-        /// Their files.
-        paths: Box<(PathBuf, PathBuf)>,
-        /// What is not the same.
-        setting: &'static str,
-        /// Its values.
-        values: Box<(String, String)>,
-    },
-    /// Rows are in two parts.
-    #[error("rows {}..{} are in {} and in {}", rows.start, rows.end, paths.0.display(), paths.1.display())]
-    Overlap {
-        /// The rows.
-        rows: Range<u32>,
-        /// The files.
-        paths: Box<(PathBuf, PathBuf)>,
-    },
-    /// Rows are in no part.
-    #[error("rows {}..{} of {height} are in none of the parts", rows.start, rows.end)]
-    Gap {
-        /// The rows.
-        rows: Range<u32>,
-        /// The number of rows of the picture.
-        height: u32,
-    },
+impl Light {
+    /// Adds the light of further rows, of the same kind.
+    pub fn add(&mut self, other: Self) {
+        match (self, other) {
+            (Self::Levels(own), Self::Levels(other)) => own.extend(other),
+            (Self::Linear(own), Self::Linear(other)) => own.extend(other),
+            (Self::Levels(_), Self::Linear(_)) | (Self::Linear(_), Self::Levels(_)) => {}
+        }
+    }
 }
 
 impl Whole {
+    /// Returns the light of no rows.
+    #[must_use]
+    pub const fn dark(&self) -> Light {
+        if self.is_linear { Light::Linear(Vec::new()) } else { Light::Levels(Vec::new()) }
+    }
+
     /// The settings as text, in the order of the header.
-    fn lines(&self) -> [(&'static str, String); 11] {
-        let Self { size, aspect, target, coloring, is_linear, caption, scene } = self;
+    fn lines(&self) -> [(&'static str, String); 12] {
+        let Self { size, aspect, target, coloring, is_linear, film, caption, scene } = self;
         [
             ("program", env!("CARGO_PKG_VERSION").to_owned()),
             ("scene", format!("{scene:016x}")),
@@ -138,6 +100,7 @@ impl Whole {
             ("table", coloring.table.to_string()),
             ("dither", coloring.dither.to_string()),
             ("samples", coloring.samples.to_string()),
+            ("film", film.map_or("none".to_owned(), |(frames, rate)| format!("{frames}/{rate}"))),
             ("light", if *is_linear { "linear" } else { "levels" }.to_owned()),
         ]
     }
@@ -147,6 +110,12 @@ impl Whole {
     pub fn difference(&self, other: &Self) -> Option<(&'static str, String, String)> {
         let mut lines = self.lines().into_iter().zip(other.lines());
         lines.find(|(own, other)| own != other).map(|((name, own), (_, other))| (name, own, other))
+    }
+
+    /// Returns the number of rows, those of all frames together.
+    #[must_use]
+    pub fn height(&self) -> u32 {
+        self.size.height().saturating_mul(self.film.map_or(1, |(frames, _)| frames))
     }
 
     /// Returns the highest level of the light, where it is levels.
@@ -227,18 +196,29 @@ impl Part {
         let table = choose("table", line("table")?)?;
         let dither = choose("dither", line("dither")?)?;
         let samples = parse("samples", line("samples")?)?;
+        let film = match line("film")? {
+            "none" => None,
+            film => {
+                let (frames, rate) = film.split_once('/').ok_or(PartError::Header("film"))?;
+                Some((parse("film", frames)?, parse("film", rate)?))
+            }
+        };
         let is_linear = match line("light")? {
             "linear" => true,
             "levels" => false,
             _ => return Err(PartError::Header("light")),
         };
         let coloring = Coloring { table, dither, samples };
-        let whole = Whole { size, aspect, target, coloring, is_linear, caption, scene };
+        let whole = Whole { size, aspect, target, coloring, is_linear, film, caption, scene };
         let rows = line("rows")?.split_once("..").ok_or(PartError::Header("rows"))?;
         let rows: Range<u32> = parse("rows", rows.0)?..parse("rows", rows.1)?;
         let own = number("hash", line("hash")?)?;
-        if rows.is_empty() || rows.end > size.height() || !(aspect > 0.0 && aspect.is_finite()) {
+        let has_frames = film.is_none() || [rows.start, rows.end].iter().all(|row| row % size.height() == 0);
+        if rows.is_empty() || rows.end > whole.height() || !has_frames {
             return Err(PartError::Header("rows"));
+        }
+        if !(aspect > 0.0 && aspect.is_finite()) {
+            return Err(PartError::Header("aspect"));
         }
         let hashed = head.split_at(head.rfind("hash ").unwrap_or(head.len())).0;
         Self::of_content(whole, rows, content).and_then(|part| {
@@ -247,11 +227,18 @@ impl Part {
     }
 
     fn of_content(whole: Whole, rows: Range<u32>, content: &[u8]) -> Result<Self, PartError> {
-        let pixels = rows.len() * whole.size.columns();
+        let pixels = rows.len().saturating_mul(whole.size.columns());
         let width = whole.lattice().map_or(0, |lattice| lattice.grid().width() as usize);
-        let grid = whole.grid_rows(&rows).len() * width;
-        let light_length = pixels * if whole.is_linear { 12 } else { 3 };
-        let length = light_length + 3 * grid;
+        let grid = width
+            * match whole.film {
+                None => whole.grid_rows(&rows).len(),
+                Some(_) => {
+                    let frames = rows.len() / whole.size.height() as usize;
+                    frames * whole.grid_rows(&(0..whole.size.height())).len()
+                }
+            };
+        let light_length = pixels.saturating_mul(if whole.is_linear { 12 } else { 3 });
+        let length = light_length.saturating_add(3 * grid);
         match content.len() {
             less if less < length => return Err(PartError::CutOff(length - less)),
             more if more > length => return Err(PartError::Spare(more - length)),

@@ -6,7 +6,7 @@ use std::io::Cursor;
 use super::folder::{Folder, decoder};
 
 /// A scene in which a lamp, a ball and the eye move.
-const SCENE: &str = "\
+pub(super) const SCENE: &str = "\
 rta 1
 path across linear  at 0 -2 0 0  at 1 2 0 0
 path round  at 0 0 0 0  at .25 1 0 1  at .5 0 0 2  at .75 -1 0 1  at 1 0 0 0

@@ -2,6 +2,7 @@
 
 use std::fs;
 
+use super::film::SCENE as FILM;
 use super::folder::{Folder, SCENE};
 
 /// Pictures, their parts, and the options that they are traced with: tables made of samples and of all pixels, tables that grow, diffusion
@@ -104,9 +105,45 @@ fn rows_that_are_none_are_refused() {
     for rows in ["5", "5..5", "6..5", "..5", "5..", "0..5..7", "a..b"] {
         folder.refuses(&render(rows), &["--rows", "A..B"]);
     }
-    folder.refuses(&render("5..13"), &["rows 5..13", "20x12", "0..12"]);
+    folder.refuses(&render("5..13"), &["rows 5..13", "0..12"]);
     folder
         .refuses(&["render", "scene.dat", "-o", "a.part", "--rows", "0..5", "--frames", "2"], &["--frames"]);
     folder
         .refuses(&["render", "scene.dat", "-o", "a.part", "--rows", "0..5", "--as", "pfm"], &["PFM", "vga"]);
+}
+
+#[test]
+fn parts_of_a_film_make_the_film_and_wrong_ones_are_refused() {
+    let folder = Folder::new();
+    folder.scene("film.rta", FILM);
+    let film = |rest: &[&str]| {
+        let options = ["film.rta", "--size", "40x25", "--frames", "4", "--device", "graphigs"];
+        folder.renders(&[&options[..], rest].concat());
+    };
+    let kinds: &[&str] = if cfg!(feature = "image") { &["gif", "png", "ppm"] } else { &["png", "ppm"] };
+    for only in ["0..1", "1..3", "3..4", "2..4"] {
+        film(&["--only", only, "-o", &format!("{only}.part")]);
+    }
+    for kind in kinds {
+        let (whole, merged) = (format!("whole.{kind}"), format!("merged.{kind}"));
+        film(&["-o", &whole]);
+        folder.prints(&["merge", "-q", "-o", &merged, "3..4.part", "0..1.part", "1..3.part"]);
+        let same = fs::read(folder.path(&whole)).unwrap() == fs::read(folder.path(&merged)).unwrap();
+        assert!(same, "{kind}");
+    }
+    let merge = |rest: &[&'static str]| [&["merge", "-o", "out.png", "0..1.part"], rest].concat();
+    folder.refuses(&merge(&["1..3.part", "2..4.part"]), &["frames 2..3 are in 1..3.part and in 2..4.part"]);
+    folder.refuses(&merge(&["2..4.part"]), &["frames 1..2 of 4 are in none"]);
+    folder.refuses(&merge(&["1..3.part"]), &["frames 3..4 of 4 are in none"]);
+    #[cfg(feature = "image")]
+    folder
+        .refuses(&["merge", "-o", "out.bmp", "0..1.part", "1..3.part", "3..4.part"], &["BMP", "one picture"]);
+    film(&["--only", "1..4", "--rate", "10", "-o", "slow.part"]);
+    folder.refuses(&merge(&["slow.part"]), &["two pictures", "10 in a second"]);
+    let render = |rest: &[&'static str]| [&["render", "film.rta", "-o", "a.part"], rest].concat();
+    folder.refuses(&render(&["--only", "0..1"]), &["--frames"]);
+    folder.refuses(&render(&["--only", "3..5", "--frames", "4"]), &["frames 3..5", "0..4"]);
+    folder.refuses(&render(&["--only", "0..1", "--frames", "4", "--one-table"]), &["--one-table"]);
+    let linear = ["--only", "0..1", "--frames", "4", "--device", "none", "--as", "pfm"];
+    folder.refuses(&render(&linear), &["PFM", "one picture"]);
 }

@@ -1,16 +1,16 @@
-//! Some rows of a picture.
+//! Some rows of a picture, or frames of a film.
 
 use core::fmt;
 use core::ops::Range;
 use core::str::FromStr;
 
-/// Rows of a picture from one to before another, 0 at the top: at least one.
+/// Rows of a picture, or frames of a film, from one to before another, counted from 0: at least one.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Rows(pub Range<u32>);
 
-/// The text names no rows.
+/// The text names none.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("expected rows as A..B, from row A to before row B: 0..100")]
+#[error("expected A..B, from A to before B, as 0..100")]
 pub struct NoRows;
 
 impl FromStr for Rows {
@@ -18,8 +18,8 @@ impl FromStr for Rows {
 
     fn from_str(text: &str) -> Result<Self, NoRows> {
         let (start, end) = text.split_once("..").ok_or(NoRows)?;
-        let row = |text: &str| text.parse().map_err(|_| NoRows);
-        let rows = row(start)?..row(end)?;
+        let number = |text: &str| text.parse().map_err(|_| NoRows);
+        let rows = number(start)?..number(end)?;
         if rows.is_empty() { Err(NoRows) } else { Ok(Self(rows)) }
     }
 }

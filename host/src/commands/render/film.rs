@@ -1,5 +1,6 @@
 //! Films: the frames of a scene whose things move, one after the other.
 
+use core::ops::Range;
 use std::io::Write;
 
 use rta_core::raster::Raster;
@@ -22,17 +23,18 @@ use crate::request::scene_file::SceneFile;
 
 /// A film that is asked for.
 pub(super) struct Film<'a> {
-    request: &'a Request,
-    scene: &'a SceneFile,
-    args: &'a DrawingArgs,
-    frames: u32,
+    pub(super) request: &'a Request,
+    pub(super) scene: &'a SceneFile,
+    pub(super) args: &'a DrawingArgs,
+    pub(super) frames: u32,
 }
 
-impl<'a> Film<'a> {
-    pub(super) fn new(request: &'a Request, scene: &'a SceneFile, args: &'a DrawingArgs) -> Self {
-        Self { request, scene, args, frames: args.film.frames.unwrap_or(1) }
-    }
+/// Returns what a caption says of a film.
+pub(super) fn tempo(frames: u32, rate: u16) -> String {
+    format!(", {frames} frames, {rate} in a second")
+}
 
+impl Film<'_> {
     /// Draws the frames and writes them. Where each has a table of its own, no more than one is held in memory.
     pub(super) fn write(
         &self,
@@ -55,7 +57,9 @@ impl<'a> Film<'a> {
             }
             _ => {
                 let mut film = FilmWriter::new(file_type, shape, pace, None, caption, out)?;
-                self.each(progress, |work| Ok::<_, Failure<Error>>(film.frame(&work.displayed()?)?))?;
+                self.each(0..self.frames, progress, |work| {
+                    Ok::<_, Failure<Error>>(film.frame(&work.displayed()?)?)
+                })?;
                 Ok(film.finish()?)
             }
         }
@@ -72,7 +76,7 @@ impl<'a> Film<'a> {
         let lattice = Lattice::new(raster, (most / frames).max(1));
         let mut samples = Vec::new();
         if most > 0 {
-            self.each(None, |work| {
+            self.each(0..self.frames, None, |work| {
                 samples.extend(work.on_grid(lattice)?);
                 Ok::<_, Error>(())
             })?;
@@ -82,7 +86,7 @@ impl<'a> Film<'a> {
         let dithering = coloring.dithering(capabilities, size.columns()).map_err(PictureError::display)?;
         let mut screen = Screen::with::<Error>(device, (size, aspect), (table, dithering))?;
         let mut pictures = Vec::new();
-        self.each(progress, |work| {
+        self.each(0..self.frames, progress, |work| {
             pictures.try_reserve(1).map_err(|_| PictureError::Memory(size))?;
             pictures.push(work.shown_on(device, &mut screen)?);
             Ok::<_, Error>(())
@@ -90,13 +94,14 @@ impl<'a> Film<'a> {
         Ok(pictures)
     }
 
-    /// Calls `draw` with each frame, ready to be traced.
-    fn each<E: From<Error>>(
+    /// Calls `draw` with each of some frames, ready to be traced.
+    pub(super) fn each<E: From<Error>>(
         &self,
+        some: Range<u32>,
         mut progress: Option<Progress>,
         mut draw: impl FnMut(&Work<'_>) -> Result<(), E>,
     ) -> Result<(), E> {
-        for number in 0..self.frames {
+        for number in some {
             let instant = f64::from(number) / f64::from(self.frames);
             let still = self.scene.at(instant);
             let work = Work::new(self.request, &still, self.args.tracing.threads, interrupt::watch());

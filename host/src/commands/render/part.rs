@@ -1,4 +1,4 @@
-//! Some rows of a picture, for `rta merge`.
+//! Some rows of a picture, or frames of a film, for `rta merge`.
 
 use core::ops::Range;
 use std::io::{self, Write};
@@ -8,6 +8,7 @@ use rta_core::color::Rgb;
 use rta_drivers::checksum::Fnv;
 
 use super::Work;
+use super::film::{Film, tempo};
 use crate::args::DrawingArgs;
 use crate::engine::interrupt;
 use crate::error::Error;
@@ -19,10 +20,10 @@ use crate::request::Request;
 use crate::request::error::RequestError;
 use crate::request::scene_file::SceneFile;
 
-/// Traces some rows of a scene's picture into a file.
+/// Traces some rows of a scene's picture, or some frames of its film, into a file.
 pub(super) fn draw(
     args: &DrawingArgs,
-    rows: &Range<u32>,
+    some: &Range<u32>,
     scene: impl FnOnce() -> Result<SceneFile, RequestError>,
 ) -> Result<(), Error> {
     let began = Instant::now();
@@ -31,12 +32,24 @@ pub(super) fn draw(
     if let (Some(file_type), Target::On(device)) = (linear, args.device) {
         return Err(PictureError::LinearFromDevice { file_type, device }.into());
     }
+    if let (Some(file_type), Some(_)) = (linear, args.film.frames) {
+        return Err(PictureError::OnePicture(file_type).into());
+    }
     let scene = scene()?;
     let output = Output::open(&args.output, &scene.inputs)?;
     let request = Request::of_scene(&args.tracing, args.device, &scene)?;
     let (size, aspect) = request.raster()?;
-    if rows.end > size.height() {
-        return Err(PictureError::NoSuchRows { rows: rows.clone(), size }.into());
+    let film = args.film.frames.map(|frames| (frames, args.film.rate));
+    let mut caption = request.caption(&scene);
+    let (what, all) = match film {
+        Some((frames, rate)) => {
+            caption.settings += &tempo(frames, rate);
+            ("frames", frames)
+        }
+        None => ("rows", size.height()),
+    };
+    if some.end > all {
+        return Err(PictureError::NoSuchPart { what, some: some.clone(), all }.into());
     }
     let whole = Whole {
         size,
@@ -44,25 +57,45 @@ pub(super) fn draw(
         target: request.target,
         coloring: request.coloring,
         is_linear: linear.is_some(),
-        caption: request.caption(&scene),
+        film,
+        caption,
         scene: hash(&scene),
     };
-    let work = Work::new(&request, &scene, args.tracing.threads, interrupt::watch())?.quiet(args.quiet);
     if !args.quiet {
         request.fit(aspect).advise(&scene);
     }
-    let part = traced(&work, whole, rows)?;
+    let part = match film {
+        Some((frames, _)) => {
+            let height = size.height();
+            let rows = some.start * height..some.end * height;
+            let mut part = Part { light: whole.dark(), rows, grid: Vec::new(), whole };
+            Film { request: &request, scene: &scene, args, frames }.each(some.clone(), None, |work| {
+                let frame = traced(work, &part.whole, &(0..height))?;
+                part.light.add(frame.0);
+                part.grid.extend(frame.1);
+                Ok::<_, Error>(())
+            })?;
+            part
+        }
+        None => {
+            let work =
+                Work::new(&request, &scene, args.tracing.threads, interrupt::watch())?.quiet(args.quiet);
+            let (light, grid) = traced(&work, &whole, some)?;
+            Part { whole, rows: some.clone(), light, grid }
+        }
+    };
     output.write(&part.write())?;
     if !args.quiet {
         let (file, settings, seconds) = (name(&args.output), &part.whole.caption.settings, began.elapsed());
-        let rows = format!("rows {}..{} of {size}", rows.start, rows.end);
+        let some = format!("{what} {}..{} of {all}, {size}", some.start, some.end);
         // Whoever has closed standard error does not want to know.
-        let _ = writeln!(io::stderr(), "rta: {file}: {rows}, {settings}; {:.2} s", seconds.as_secs_f64());
+        let _ = writeln!(io::stderr(), "rta: {file}: {some}, {settings}; {:.2} s", seconds.as_secs_f64());
     }
     Ok(())
 }
 
-fn traced(work: &Work<'_>, whole: Whole, rows: &Range<u32>) -> Result<Part, Error> {
+/// Returns the light of some rows of a picture, and the colours of the pixels in them of which its colour table is made.
+fn traced(work: &Work<'_>, whole: &Whole, rows: &Range<u32>) -> Result<(Light, Vec<Rgb<u8>>), Error> {
     let light = if whole.is_linear {
         Light::Linear(work.rows(rows, |engine, first, out: &mut [Rgb<f32>]| engine.linear_rows(first, out))?)
     } else {
@@ -73,7 +106,7 @@ fn traced(work: &Work<'_>, whole: Whole, rows: &Range<u32>) -> Result<Part, Erro
         Some(lattice) => work.grid_rows(lattice, &whole.grid_rows(rows))?,
         None => Vec::new(),
     };
-    Ok(Part { whole, rows: rows.clone(), light, grid })
+    Ok((light, grid))
 }
 
 /// Returns a hash of all of a scene that its picture depends on.
