@@ -1,7 +1,6 @@
 //! Films: each frame is the picture of its instant.
 
 use std::fs;
-use std::io::Cursor;
 
 use super::folder::{Folder, decoder};
 
@@ -45,8 +44,8 @@ fn film() -> Folder {
 }
 
 #[cfg(feature = "image")]
-fn gif(folder: &Folder, name: &str) -> gif::Decoder<Cursor<Vec<u8>>> {
-    gif::DecodeOptions::new().read_info(Cursor::new(fs::read(folder.path(name)).unwrap())).unwrap()
+fn gif(folder: &Folder, name: &str) -> gif::Decoder<std::io::Cursor<Vec<u8>>> {
+    gif::DecodeOptions::new().read_info(std::io::Cursor::new(fs::read(folder.path(name)).unwrap())).unwrap()
 }
 
 #[test]
