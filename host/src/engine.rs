@@ -184,7 +184,7 @@ impl Engine {
         self.rows.linear(first, out);
     }
 
-    /// The same as levels `0..=gun_max` of a display's guns, rounded in the picture's own number format.
+    /// Fills `out` with levels `0..=gun_max` of a display's guns from row `first` on, rounded in the picture's own number format.
     pub fn level_rows(&self, first: u32, gun_max: u8, out: &mut [Rgb<u8>]) {
         self.rows.levels(first, gun_max, out);
     }

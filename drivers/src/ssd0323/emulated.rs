@@ -26,7 +26,7 @@ pub struct Oled<M> {
     memory: M,
     /// The first and the last column of the window, and the one that data goes to.
     columns: Span,
-    /// The same of the rows.
+    /// The first and the last row of the window, and the one that data goes to.
     rows: Span,
     /// The command whose bytes have not all come.
     open: heapless::Vec<u8, { 1 + MOST_ARGUMENTS }>,

@@ -88,6 +88,7 @@ fn wrong_parts_are_refused_with_the_reason_and_nothing_is_written() {
         (&["--size", "20x12", "--format", "q16"], "settings"),
         (&["--size", "20x12", "--dither", "fs"], "settings"),
         (&["--size", "20x12", "--aspect", "2"], "aspect"),
+        (&["--size", "20x12", "--fit"], "scene"),
     ] {
         folder.renders(&[&["scene.dat", "-o", "other.part", "--rows", "5..12"], other].concat());
         folder.refuses(&merge(&["0..5.part", "other.part"]), &["two pictures", setting]);

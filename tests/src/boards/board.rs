@@ -131,7 +131,7 @@ const fn pc(name: &'static str, feature: &'static str, image: Image) -> Board {
     }
 }
 
-/// The same PC under DOS.
+/// A PC under DOS, whose program writes a file.
 pub const DOS: Board = Board {
     name: "pc-dos",
     processor: "i486",

@@ -59,7 +59,7 @@ pub(super) fn draw(
         is_linear: linear.is_some(),
         film,
         caption,
-        scene: hash(&scene),
+        scene: hash(&scene, request.fit),
     };
     if !args.quiet {
         request.fit(aspect).advise(&scene);
@@ -109,12 +109,12 @@ fn traced(work: &Work<'_>, whole: &Whole, rows: &Range<u32>) -> Result<(Light, V
     Ok((light, grid))
 }
 
-/// Returns a hash of all of a scene that its picture depends on.
-fn hash(scene: &SceneFile) -> u64 {
+/// Returns a hash of all of a scene that its picture depends on, and of whether it is scaled to fit.
+fn hash(scene: &SceneFile, fit: bool) -> u64 {
     let (description, mut hash) = (&scene.description, Fnv::EMPTY);
     let mut add = |text: &str| text.bytes().for_each(|byte| hash.add(byte));
     add(&description.to_rta());
-    add(&description.details.scanline.to_string());
+    add(&format!("{fit} {}", description.details.scanline));
     for (file, pixels) in &description.details.pictures {
         add(file);
         add(&format!("{pixels:?}"));
