@@ -6,6 +6,7 @@
 
 use core::fmt::Debug;
 
+use crate::camera::Aperture;
 use crate::light::area::Square;
 use crate::ray::RayKind;
 use crate::sampling::pairs::{Pairs, Purpose};
@@ -75,13 +76,16 @@ pub struct Spread<'a, S: Scalar> {
     pub split: u16,
     /// Lamps that are parallelograms, in the order of the scene's lamps as far as any is one.
     pub squares: &'a [Option<Square<S>>],
+    /// The lens, if there is one: without it the camera is a pinhole.
+    pub aperture: Option<Aperture<S>>,
     /// Roughness of the materials, 0 to 1, in the order of the scene's materials as far as any is rough.
     pub roughness: &'a [S::Unit],
 }
 
 impl<S: Scalar> Spread<'_, S> {
     /// Nothing spreads.
-    pub const NONE: Self = Self { lamps: Lamps::Point, split: 1, squares: &[], roughness: &[] };
+    pub const NONE: Self =
+        Self { lamps: Lamps::Point, split: 1, squares: &[], aperture: None, roughness: &[] };
 }
 
 /// Which sample of a picture is traced.

@@ -8,10 +8,12 @@ use crate::camera::Camera;
 use crate::color::Rgb;
 use crate::illumination::Illumination;
 use crate::needs::Needs;
+use crate::sampling::mapping::disc;
+use crate::sampling::pairs::Purpose;
 use crate::scalar::Scalar;
 use crate::scalar::vector::{UnitVec3, Vec3};
 
-/// A tracer whose rays are spread over lamps and the facets of rough surfaces.
+/// A tracer whose rays are spread over a lens, over lamps, and over the facets of rough surfaces.
 #[derive(Clone, Copy, Debug)]
 pub struct Distributed<'a, S: Scalar, M, N, const STACK: usize, A = Lists> {
     /// The tracer.
@@ -48,7 +50,13 @@ impl<S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Accelerator
         observer: &mut O,
     ) -> Rgb<S::Light> {
         let dice = Thrown { spread: self.spread, sample, seed: self.seed };
-        let start = Start { origin: camera.eye, direction: camera.direction(right, up) };
+        let start = match &self.spread.aperture {
+            Some(aperture) => {
+                let spot = disc(dice.pairs(Purpose::Lens, 1).units(sample.number));
+                camera.through(aperture, (right, up), spot)
+            }
+            None => Start { origin: camera.eye, direction: camera.direction(right, up) },
+        };
         self.tracer.walk(start, &dice, memory, observer)
     }
 }
