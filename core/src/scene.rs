@@ -241,6 +241,19 @@ pub struct Limits<S> {
     pub depth: u8,
 }
 
+impl<S: Scalar> Limits<S> {
+    /// Returns the limits within which two scenes of the same things both fit.
+    #[must_use]
+    pub fn with(self, other: &Self) -> Self {
+        let least = |one: S, other: S| if one < other { one } else { other };
+        Self {
+            floor_end: least(self.floor_end, other.floor_end),
+            cylinder_end: least(self.cylinder_end, other.cylinder_end),
+            depth: self.depth.min(other.depth),
+        }
+    }
+}
+
 /// The sky: one colour at the horizon, one at the zenith and at the nadir, mixed by the square of the sine of the
 /// elevation (Graham 1987).
 #[derive(Clone, Copy, Debug)]

@@ -3,6 +3,8 @@
 //! Everything moves along straight lines and does not turn, so that whatever is as far apart at both ends as the number format can hold is
 //! so in between: a proof of the scene at both ends is one of all instants.
 
+use core::marker::PhantomData;
+
 use super::decision::Start;
 use super::dice::{Dice, Sample, Thrown};
 use super::distributed::Distributed;
@@ -23,8 +25,17 @@ use crate::scene::{Copies, Object, Scene};
 pub struct Motion<S: Scalar> {
     /// What moves.
     pub object: Object,
-    /// How far it moves from where it is in the scene while the shutter is open.
+    /// How far it moves while the shutter is open: half of it before it is where it is in the scene, and half of it after that.
     pub by: Vec3<S>,
+}
+
+impl<S: Scalar> Motion<S> {
+    /// Puts what moves where it is at an instant, from -1/2, when the shutter opens, to 1/2. `scene` is as it is in the middle of the time.
+    pub fn put(&self, copies: &mut Copies<S>, scene: &Scene<S>, time: S::Unit) {
+        let way = self.by;
+        let by = Vec3::<S>::new(way.x().scale(time), way.y().scale(time), way.z().scale(time));
+        copies.put(self.object, scene, by);
+    }
 }
 
 /// The memory of the copies of lists in which something moves.
@@ -37,14 +48,12 @@ pub trait Room<S: Scalar>: Default {
 /// A tracer of a scene in which something moves. `R` is the memory of what moves.
 #[derive(Clone, Copy, Debug)]
 pub struct Moving<'a, S: Scalar, M, N, const STACK: usize, A, R> {
-    /// The tracer of the scene as it is when the shutter opens, and what spreads besides.
+    /// The tracer of the scene as it is in the middle of the time, and what spreads besides.
     pub still: Distributed<'a, S, M, N, STACK, A>,
     /// What moves.
     pub motions: &'a [Motion<S>],
-    /// How far the eye moves while the shutter is open.
-    pub eye: Vec3<S>,
     /// The memory, which each thread has for itself.
-    pub room: core::marker::PhantomData<fn() -> R>,
+    pub room: PhantomData<fn() -> R>,
 }
 
 /// What is kept from ray to ray.
@@ -52,11 +61,6 @@ pub struct Moving<'a, S: Scalar, M, N, const STACK: usize, A, R> {
 pub struct Memory<M, R> {
     accelerator: M,
     room: R,
-}
-
-/// Returns a part, from 0 to 1, of a way.
-fn part<S: Scalar>(way: Vec3<S>, time: S::Unit) -> Vec3<S> {
-    Vec3::<S>::new(way.x().scale(time), way.y().scale(time), way.z().scale(time))
 }
 
 impl<S, M, N, const STACK: usize, A, R> Moving<'_, S, M, N, STACK, A, R>
@@ -67,7 +71,7 @@ where
     A: Accelerator<S>,
     R: Room<S>,
 {
-    /// Calls `trace` with the scene as it is at an instant, from 0, when the shutter opens, to 1.
+    /// Calls `trace` with the scene as it is at an instant: see [`Motion::put`].
     fn at<T>(
         &self,
         time: S::Unit,
@@ -78,7 +82,7 @@ where
         let scene = &admitted.scene;
         let mut copies = room.copies(scene, self.motions);
         for motion in self.motions {
-            copies.put(motion.object, scene, part::<S>(motion.by, time));
+            motion.put(&mut copies, scene, time);
         }
         let frozen = Admitted::baked(scene.with(&copies), admitted.limits, *admitted.accelerator());
         let tracer = Tracer::new(&frozen, model.clone(), depth.into()).ok()?.with_cutoff(cutoff);
@@ -96,7 +100,7 @@ where
 {
     type Memory = Memory<A::Memory, R>;
 
-    /// As sample 0 of the first pixel, when the shutter opens.
+    /// As sample 0 of the first pixel, in the middle of the time.
     fn trace<O: Observer<S> + ?Sized>(
         &self,
         origin: Vec3<S>,
@@ -120,9 +124,9 @@ where
         observer: &mut O,
     ) -> Rgb<S::Light> {
         let dice = self.still.dice(sample);
-        let [time, _] = dice.pairs(Purpose::Time, Thrown::<S>::EYE).units(sample.number);
-        let camera = Camera { eye: camera.eye + part::<S>(self.eye, time), ..*camera };
-        let start = self.still.start(&camera, place, &dice);
+        let [time, _]: [S::Unit; 2] = dice.pairs(Purpose::Time, Thrown::<S>::EYE).units(sample.number);
+        let time = time - S::Unit::ratio(1, 2);
+        let start = self.still.start(camera, place, &dice);
         let Memory { accelerator, room } = memory;
         let light = self.at(time, room, |tracer| tracer.walk(start, &dice, accelerator, observer));
         light.unwrap_or(Rgb::BLACK)
@@ -176,7 +180,9 @@ mod tests {
 
     /// Returns the part of the time that a white ball is seen along y, by 32 seeds of 64 samples, and its standard error.
     fn seen<S: Scalar>(center: [i32; 3], by: [i32; 3]) -> [f64; 2] {
-        let spheres = [ball::<S>(center, 1)];
+        // In the middle of the time.
+        let half = |axis: usize| center[axis] + by[axis] / 2;
+        let spheres = [ball::<S>([half(0), half(1), half(2)], 1)];
         let black = Rgb::BLACK;
         let scene = Scene { spheres: &spheres, ..Scene::empty(Sky { horizon: black, zenith: black }, black) };
         let lens = Lens::new(1, 1, (1, 1));
@@ -187,8 +193,7 @@ mod tests {
         let mut sums = [0.0; 2];
         for seed in 0..32 {
             let still = Distributed { tracer, spread: &Spread::NONE, seed };
-            let (eye, room) = (vector::<S>([0; 3]), core::marker::PhantomData::<fn() -> One<S>>);
-            let moving = Moving { still, motions: &motions, eye, room };
+            let moving = Moving { still, motions: &motions, room: PhantomData::<fn() -> One<S>> };
             let mut memory = Memory::default();
             let mut part = 0.0;
             for number in 0..64 {

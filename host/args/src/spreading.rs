@@ -18,7 +18,7 @@ pub struct SpreadingArgs {
     pub jitter: Option<u32>,
     /// Where the samples of a pixel lie
     ///
-    /// [default: sobol where something spreads rays: a lens, rough materials, --lamps; else grid]
+    /// [default: sobol where something spreads rays: a lens, motion, rough materials, --lamps; else grid]
     #[arg(long, value_enum, ignore_case = true, verbatim_doc_comment)]
     pub sampler: Option<SamplerKind>,
     /// Adaptive antialiasing: whitted cuts pixels twice where the light at their corners differs, whitted:K up to K times

@@ -54,10 +54,12 @@ pub fn sampler(asked: &SpreadingArgs, scene: Option<&Description>) -> Result<Sam
     }
 }
 
-/// Returns whether something in the scene spreads rays by itself: a lens or a rough material.
+/// Returns whether something in the scene spreads rays by itself: a lens, motion, or a rough material.
 fn spreads(asked: &SpreadingArgs, scene: &Description) -> bool {
     let has_lens = asked.aperture.or(scene.optics.aperture).is_some_and(|aperture| aperture > 0.0);
-    has_lens || scene.materials.iter().any(|own| own.roughness.is_some_and(|roughness| roughness > 0.0))
+    has_lens
+        || scene.has_motion()
+        || scene.materials.iter().any(|own| own.roughness.is_some_and(|roughness| roughness > 0.0))
 }
 
 /// Puts the lens of the options into a scene.

@@ -44,7 +44,7 @@ impl Camera {
     }
 }
 
-/// What a camera with a lens has that a pinhole has not. Nothing draws the shutter yet, and nothing is clipped.
+/// What a camera with a lens has that a pinhole has not. Nothing is clipped.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Optics {
     /// Distance from the eye that is sharp, above 0, along the direction of view; without it, the length of [`Camera::view`].
