@@ -1,9 +1,19 @@
-//! The page about the scene language: it shows its scenes, and tells every keyword. Its pictures are drawn in the test of the gallery.
+//! The page about the scene language: its pictures are those of its scenes, and it tells every keyword.
+//!
+//! ```text
+//! RTA_BLESS=1 cargo test -p rta-tests --test all scene_page
+//! ```
+//!
+//! draws the pictures anew; `rta figures` and `rta gallery` draw them too.
 
+use core::sync::atomic::AtomicBool;
 use std::fs;
 use std::path::Path;
 
+use rta::bands;
+use rta::study::figures::Tracing;
 use rta::study::figures::keywords::examples;
+use rta_tests::golden::check_file;
 
 const PAGE: &str = rta_scenes::shipped::PAGE;
 /// What all pictures of the page may take, in bytes.
@@ -12,17 +22,28 @@ const MOST: u64 = 420 << 10;
 const KEPT: &str = "not drawn yet";
 
 #[test]
-fn every_scene_is_shown_or_the_ground_of_others() {
+fn the_pictures_are_those_of_the_scenes() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../scenes/pictures");
+    let (mut bytes, mut shown) = (0, 0);
+    let pool = bands::pool(Some(1)).expect("a thread");
+    let tracing = Tracing { pool: &pool, stop: &AtomicBool::new(false) };
     let examples = examples(PAGE);
+    // A scene without a picture is the ground of others.
     for head in PAGE.split("\n```rta ").skip(1).filter_map(|block| block.lines().next()) {
         let name = head.split(' ').next().expect("a name");
         let is_ground = ["in", "after"].iter().any(|how| PAGE.contains(&format!(" {how} {name}\n")));
         assert!(is_ground || examples.iter().any(|example| example.name == name), "{head} is not shown");
     }
-    let size = |name: &str| fs::metadata(folder.join(format!("{name}.png"))).expect("it is there").len();
-    let bytes: u64 = examples.iter().map(|example| size(&example.name)).sum();
+    for example in examples {
+        let file = format!("{}.png", example.name);
+        let picture =
+            example.picture(&folder.join(".."), &tracing).unwrap_or_else(|error| panic!("{file}: {error}"));
+        check_file(&folder.join(&file), "format q16, 256 colours", &picture);
+        bytes += fs::metadata(folder.join(&file)).expect("it is there").len();
+        shown += 1;
+    }
     assert!(bytes <= MOST, "{bytes} bytes");
+    assert_eq!(fs::read_dir(&folder).expect("a folder").count(), shown, "pictures that nobody shows");
 }
 
 /// A statement of `rta help scene`: its line, and that of each of its keywords.
