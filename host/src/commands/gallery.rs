@@ -4,7 +4,7 @@
 //! | --- | --- |
 //! | the pictures, each with its command | [`list`] |
 //! | the page | [`page`] |
-//! | the comparison with the pictures in the repository | [`mod@check`] |
+//! | the comparison with the pictures in the repository | [`check`] |
 
 use std::path::Path;
 
