@@ -125,8 +125,8 @@ pub enum Command {
     /// Draw every picture of the documents, on one page with the commands that draw them
     ///
     /// In the folder it leaves index.html, the pictures where the commands put them, and the scenes that they are drawn from, so that each
-    /// command can be tried in it. Files of these names that are there already are replaced. It takes seconds, and minutes where
-    /// instructions are counted for the diagram of rta report. With --check, status 1 if a picture is not the one in the repository.
+    /// command can be tried in it. Files of these names that are there already are replaced. It takes about a minute, and some more for the
+    /// diagram of rta report, where instructions are counted. With --check, status 1 if a picture is not the one in the repository.
     Gallery(GalleryArgs),
     /// Measure how long pictures take on one core
     ///

@@ -120,7 +120,7 @@ pub fn all() -> Vec<Picture> {
 }
 
 impl Picture {
-    /// Returns whether it shows what was measured on a machine, so that no two are the same.
+    /// Returns whether it shows costs that were measured, which differ between machines and builds.
     #[must_use]
     pub fn is_measured(&self) -> bool {
         self.command == REPORT

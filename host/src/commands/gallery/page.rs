@@ -21,7 +21,7 @@ scenes are that they read.</p>
 
 const WORDS: &str = "\
 <h2>The words of the scene language</h2>
-<p>Each scene needs nothing but its lines. They are shown with figures of their own in <a href=\"figures/index.html\">the book of
+<p>Each scene needs nothing but its lines. One command draws all of them, and the figures of <a href=\"figures/index.html\">the book of
 figures</a>.</p>
 ";
 
@@ -61,11 +61,8 @@ fn figure(picture: &Picture, folder: &Path) -> Result<String, Error> {
     let _ = writeln!(text, "<pre><code>{command}</code></pre>");
     // Of a picture that its command does not name.
     if made != file {
-        let note = if picture.is_measured() {
-            "; measured on this machine, so that no two are the same"
-        } else {
-            ""
-        };
+        let note =
+            if picture.is_measured() { "; its costs are those of this machine and this build" } else { "" };
         let _ = writeln!(text, "<p class=\"source\">{made}; in the repository {file}{note}</p>");
     }
     text += "</figcaption>\n</figure>\n";
