@@ -4,6 +4,7 @@ pub mod bake;
 pub mod check;
 pub mod convert;
 pub mod explain;
+pub mod gallery;
 pub mod hash;
 pub mod merge;
 pub mod pages;

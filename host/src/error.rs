@@ -43,6 +43,20 @@ pub enum Error {
         /// Why.
         source: Box<Self>,
     },
+    /// A picture of the gallery cannot be drawn.
+    #[error("{command}: {source}")]
+    Gallery {
+        /// The command that draws it.
+        command: &'static str,
+        /// Why.
+        source: Box<Self>,
+    },
+    /// What the gallery has as a command draws no pictures.
+    #[error("it draws no pictures")]
+    NoPictures,
+    /// Pictures of the gallery are not those in the repository.
+    #[error("pictures differ")]
+    PicturesDiffer,
     /// The picture has no such pixel.
     #[error("pixel {x},{y} is outside the picture, which has columns 0 to {} and rows 0 to {}", size.width() - 1, size.height() - 1)]
     PixelOutside {
@@ -62,7 +76,7 @@ impl Error {
         match self {
             Self::Bands(BandsError::Interrupted)
             | Self::Study(StudyError::Bands(BandsError::Interrupted)) => true,
-            Self::Frame { source, .. } => source.is_interruption(),
+            Self::Frame { source, .. } | Self::Gallery { source, .. } => source.is_interruption(),
             _ => false,
         }
     }
@@ -70,7 +84,7 @@ impl Error {
     /// Whether a comparison is completed and found a difference, which it has printed.
     #[must_use]
     pub const fn is_difference(&self) -> bool {
-        matches!(self, Self::Study(StudyError::Off))
+        matches!(self, Self::Study(StudyError::Off) | Self::PicturesDiffer)
     }
 
     /// Whether the reader of standard output has closed it, which is no error of the program's.

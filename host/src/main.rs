@@ -7,7 +7,7 @@ use std::process::{self, ExitCode};
 
 use rta::args::{self, Command, ShowArgs};
 use rta::commands::show::window;
-use rta::commands::{bake, check, convert, explain, hash, merge, pages, render};
+use rta::commands::{bake, check, convert, explain, gallery, hash, merge, pages, render};
 use rta::engine::interrupt;
 use rta::error::Error;
 use rta::study::{bench, compare, difference, figures, models, palette, report, stability, values};
@@ -67,6 +67,7 @@ fn run(command: Option<Command>) -> Result<(), Error> {
         Some(Command::Merge(args)) => merge::run(&args)?,
         Some(Command::Report(args)) => report::run(&args)?,
         Some(Command::Figures(args)) => figures::run(&args)?,
+        Some(Command::Gallery(args)) => gallery::run(&args)?,
         Some(Command::Instructions(args)) => report::instructions::run(&args)?,
         Some(Command::Bench(args)) => bench::run(&args)?,
         Some(Command::Traced(args)) => bench::child::run(&args)?,

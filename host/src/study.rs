@@ -6,6 +6,7 @@ pub mod compare;
 pub mod difference;
 pub mod error;
 pub mod figures;
+pub mod html;
 pub mod markdown;
 pub mod measure;
 pub mod models;

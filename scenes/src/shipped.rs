@@ -31,3 +31,19 @@ pub const MESH: &str = include_str!("../mesh.rta");
 
 /// Spheres on a plane, `balls` of the second size of Eric Haines's Standard Procedural Databases (1987), in NFF.
 pub const BALLS_2: &str = include_str!("../balls2.nff");
+
+/// The scene files that pictures of the documents are drawn from, in a folder of their own with [`PICTURES`]: names and texts.
+pub const FILES: [(&str, &str); 12] = [
+    ("balls2.nff", BALLS_2),
+    ("chrome.rta", include_str!("../chrome.rta")),
+    ("glass-2.dat", GLASS_2),
+    ("glasses.rta", include_str!("../glasses.rta")),
+    ("hall-22.dat", HALL_22),
+    ("haze.rta", include_str!("../haze.rta")),
+    ("juggler.dat", JUGGLER),
+    ("juggler.rta", JUGGLING),
+    ("mesh.rta", MESH),
+    ("metals.rta", include_str!("../metals.rta")),
+    ("prism.rta", PRISM),
+    ("textures.rta", include_str!("../textures.rta")),
+];

@@ -20,8 +20,8 @@ pub use pages::{CompletionsArgs, ManArgs};
 pub use picture::{DrawingArgs, FilmArgs, HashArgs, JuggleArgs, MergeArgs, RenderArgs, ShowArgs};
 pub use scene::{BakeArgs, CheckArgs, ConvertArgs, ReadingArgs};
 pub use study::{
-    BenchArgs, CompareArgs, DifferenceArgs, FiguresArgs, IndexingArgs, InstructionsArgs, PaletteArgs, Peer,
-    ReportArgs, StabilityArgs, TracedArgs, ValuesArgs,
+    BenchArgs, CompareArgs, DifferenceArgs, FiguresArgs, GalleryArgs, IndexingArgs, InstructionsArgs,
+    PaletteArgs, Peer, ReportArgs, StabilityArgs, TracedArgs, ValuesArgs,
 };
 pub use tracing::TracingArgs;
 
@@ -123,6 +123,12 @@ pub enum Command {
     /// spheres by every model. In the folder it leaves index.html with captions, formulas and sources, and each figure
     /// as a PNG, a diagram also as an SVG. It takes seconds.
     Figures(FiguresArgs),
+    /// Draw every picture of the documents, on one page with the commands that draw them
+    ///
+    /// In the folder it leaves index.html, the pictures where the commands put them, and the scenes that they are drawn from, so that each
+    /// command can be tried in it. Files of these names that are there already are replaced. It takes about a minute, and some more for the
+    /// diagram of rta report, where instructions are counted. With --check, status 1 if a picture is not the one in the repository.
+    Gallery(GalleryArgs),
     /// Measure how long pictures take on one core
     ///
     /// Each is traced several times by one thread, by the same code as a picture file without a device, and the least
@@ -143,7 +149,7 @@ pub enum Command {
     Difference(DifferenceArgs),
     /// List the illumination models: year, author, formula, rays and cost
     Models,
-    /// Draw a scene by several illumination models, side by side on one sheet
+    /// Draw scenes by several illumination models, or on several displays, side by side on one sheet
     Compare(CompareArgs),
     /// Compare stated values of illumination models with what the program computes
     ///

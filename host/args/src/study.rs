@@ -1,5 +1,5 @@
-//! Arguments of the studies: `rta bench`, `rta report`, `rta figures`, `rta stability`, `rta palette` and `rta difference`, and of their children
-//! under valgrind.
+//! Arguments of the studies: `rta bench`, `rta report`, `rta figures`, `rta gallery`, `rta stability`, `rta palette` and `rta difference`, and of
+//! their children under valgrind.
 
 use std::path::PathBuf;
 
@@ -8,7 +8,7 @@ use clap::{Args, ValueEnum};
 use super::choice;
 use super::tracing::TracingArgs;
 use crate::value::degrees::PixelsPerDegree;
-use crate::value::device::Device;
+use crate::value::device::{Device, Target};
 use crate::value::raster::{Aspect, Size};
 use rta_packets::picture::MAX_DEPTH;
 use rta_scenes::Format;
@@ -102,6 +102,22 @@ pub struct FiguresArgs {
     pub output: PathBuf,
 }
 
+/// `rta gallery`.
+#[derive(Args, Debug)]
+pub struct GalleryArgs {
+    /// Folder that the pictures, their scenes and the page are written to; it is made if it is not there
+    #[arg(short, long, value_name = "FOLDER", required_unless_present = "check", conflicts_with = "check")]
+    pub output: Option<PathBuf>,
+    /// Write nothing, and compare the pictures with those in a clone of the repository
+    ///
+    /// Sizes, shapes of pixels and colours count, of films all bytes. Diagrams of what was measured are not compared.
+    #[arg(long, value_name = "FOLDER")]
+    pub check: Option<PathBuf>,
+    /// Leave out the diagrams of rta report, whose measurements take minutes
+    #[arg(long, conflicts_with = "check")]
+    pub no_report: bool,
+}
+
 /// `rta instructions`: the scene comes from standard input.
 #[derive(Args, Debug)]
 pub struct InstructionsArgs {
@@ -170,16 +186,27 @@ pub struct DifferenceArgs {
     pub pixels_per_degree: PixelsPerDegree,
 }
 
-/// `rta compare`: several models, so none is chosen.
+/// `rta compare`: several models or displays, so none is chosen.
 #[derive(Args, Debug)]
 #[command(mut_arg("model", |model| model.hide(true)), mut_arg("table", |table| table.hide(true)))]
 #[command(mut_arg("dither", |dither| dither.hide(true)))]
 pub struct CompareArgs {
-    /// Scene file, or - for standard input
-    pub scene: PathBuf,
+    /// Scene files, or - for standard input
+    #[arg(required = true)]
+    pub scenes: Vec<PathBuf>,
     /// Illumination models with commas between them, or all
     #[arg(long, value_name = "A,B,...", default_value = "all")]
     pub models: choice::Models,
+    /// Displays with commas between them, in place of the models: each shows the scenes as they are, by the model that they were made for
+    #[arg(
+        long,
+        value_enum,
+        ignore_case = true,
+        value_name = "A,B,...",
+        value_delimiter = ',',
+        conflicts_with = "models"
+    )]
+    pub devices: Vec<Target>,
     /// Picture file that gets the pictures side by side
     #[arg(short, long, value_name = "FILE")]
     pub output: PathBuf,

@@ -74,14 +74,15 @@ pub(super) fn stacked(frames: &[Frame]) -> Frame {
     Frame { width, height: frames.iter().map(|frame| frame.height).sum(), pixels }
 }
 
-/// Returns frames of one height side by side, each with a gap after it.
+/// Returns frames side by side, each with a gap after it, black below low ones.
 pub(super) fn beside(frames: &[Frame]) -> Frame {
     let height = frames.iter().map(|frame| frame.height).max().unwrap_or(0);
     let mut pixels = Vec::new();
     for y in 0..height {
         for frame in frames {
+            let row = pixels.len();
             pixels.extend(frame.pixels.iter().skip(y * frame.width).take(frame.width));
-            pixels.resize(pixels.len() + GAP, 0);
+            pixels.resize(row + frame.width + GAP, 0);
         }
     }
     Frame { width: frames.iter().map(|frame| frame.width + GAP).sum(), height, pixels }
@@ -102,6 +103,9 @@ mod tests {
         let pair = beside(&[frame(1, 2, 1), frame(2, 2, 2)]);
         let row = [[1, 0, 0, 0, 0].as_slice(), &[2, 2, 0, 0, 0, 0]].concat();
         assert_eq!(pair, Frame { width: 11, height: 2, pixels: row.repeat(2) });
+        let low = beside(&[frame(1, 1, 1), frame(2, 2, 2)]);
+        let below = [[0; 5].as_slice(), &[2, 2, 0, 0, 0, 0]].concat();
+        assert_eq!(low, Frame { width: 11, height: 2, pixels: [row.as_slice(), &below].concat() });
         let all = stacked(&[pair, frame(1, 1, 3)]);
         let last = [[3].as_slice(), &[0; 10]].concat();
         assert_eq!(all, Frame { width: 11, height: 3, pixels: [row.repeat(2), last].concat() });

@@ -10,6 +10,7 @@ mod figures;
 mod film;
 mod firmware;
 mod folder;
+mod gallery;
 mod language;
 #[cfg(all(unix, feature = "image"))] // what the system says, and the names of all picture files
 mod mistakes;

@@ -1,4 +1,4 @@
-//! `rta palette` and `rta difference` from outside.
+//! `rta palette`, `rta difference` and `rta compare` from outside.
 
 use std::fs;
 use std::process::{Command, Stdio};
@@ -155,4 +155,32 @@ fn equal_pictures_have_no_difference_whatever_their_kind() {
         folder.prints(&["difference", "reference.png", "test.png"]),
         "FLIP      0.0000  at 67 pixels a degree\nS-CIELAB  0.000\nPSNR      equal\n"
     );
+}
+
+#[test]
+fn scenes_are_compared_on_several_displays() {
+    let folder = Folder::new();
+    let sheet = |scenes: &[&str], devices: &str| {
+        let args = ["-o", "sheet.png", "--size", "64x40", "--devices", devices];
+        assert_eq!(folder.prints(&[&["compare"], scenes, &args].concat()), "");
+        let mut reader = decoder(&folder.path("sheet.png"));
+        let mut pixels = vec![0; reader.output_buffer_size().unwrap()];
+        reader.next_frame(&mut pixels).unwrap();
+        assert_eq!(reader.info().width, 2 * (320 + 4));
+        pixels
+    };
+    let halves = |sheet: &[u8], half: usize| {
+        let lines = sheet.chunks_exact(648 * 3).skip(60).take(200);
+        lines.flat_map(|line| line[half * 324 * 3..][..320 * 3].to_vec()).collect::<Vec<_>>()
+    };
+    let (same, other) = (sheet(&["scene.dat"], "none,none"), sheet(&["scene.dat"], "none,vga"));
+    assert!(halves(&same, 0) == halves(&same, 1) && halves(&same, 0) == halves(&other, 0));
+    assert!(halves(&other, 0) != halves(&other, 1), "a VGA has fewer colours");
+    assert!(sheet(&["scene.dat", "scene.dat"], "none,vga") == other.repeat(2));
+    folder.refuses(
+        &["compare", "scene.dat", "-o", "a.png", "--models", "rta", "--devices", "vga"],
+        &["--models"],
+    );
+    folder.refuses(&["compare", "-o", "a.png"], &["SCENES"]);
+    folder.refuses(&["compare", "scene.dat", "-o", "a.png", "--devices", "vga,cga"], &["cga"]);
 }

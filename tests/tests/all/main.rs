@@ -22,6 +22,7 @@ mod examples;
 mod extremes;
 mod fit;
 mod fuzzed;
+mod gallery;
 mod geometry;
 mod golden;
 mod identities;

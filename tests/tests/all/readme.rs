@@ -21,7 +21,7 @@ const PAGES: [(&str, &str); 10] = [
 ];
 
 /// Returns the text of the blocks whose language begins with `language`.
-fn blocks<'a>(page: &'a str, language: &str) -> Vec<&'a str> {
+pub(super) fn blocks<'a>(page: &'a str, language: &str) -> Vec<&'a str> {
     let inside = page.split("```").skip(1).step_by(2);
     inside.filter_map(|block| block.strip_prefix(language)?.split_once('\n').map(|(_, text)| text)).collect()
 }

@@ -4,7 +4,7 @@
 //! RTA_BLESS=1 cargo test -p rta-tests --test all scene_page
 //! ```
 //!
-//! draws the pictures anew; `rta figures` draws them too.
+//! draws the pictures anew; `rta figures` and `rta gallery` draw them too.
 
 use core::sync::atomic::AtomicBool;
 use std::fs;

@@ -16,6 +16,8 @@ use crate::picture::raster::Size;
 pub struct ReadPicture {
     /// Width and height in pixels.
     pub size: Size,
+    /// Width over height of the screen that it fills.
+    pub aspect: f64,
     /// Its codes, row by row from the top, with 8 bits a register.
     pub pixels: Vec<Rgb<u8>>,
     /// The file, so that no output replaces it.
@@ -30,18 +32,21 @@ impl ReadPicture {
     /// [`PictureError::Read`].
     pub fn open(path: &Path) -> Result<Self, PictureError> {
         let read = File::open(path).and_then(|file| {
-            let (size, pixels) = decoded(BufReader::new(&file))?;
-            Ok(Self { size, pixels, inputs: Inputs::file(&file) })
+            let (size, aspect, pixels) = decoded(BufReader::new(&file))?;
+            Ok(Self { size, aspect, pixels, inputs: Inputs::file(&file) })
         });
         read.map_err(|source| PictureError::Read { path: path.to_owned(), source })
     }
 }
 
-fn decoded(file: impl io::BufRead + Seek) -> io::Result<(Size, Vec<Rgb<u8>>)> {
+fn decoded(file: impl io::BufRead + Seek) -> io::Result<(Size, f64, Vec<Rgb<u8>>)> {
     let mut decoder = Decoder::new(file);
     decoder.set_transformations(Transformations::EXPAND | Transformations::STRIP_16);
     let mut reader = decoder.read_info()?;
     let size = Size::new(reader.info().width, reader.info().height).map_err(io::Error::other)?;
+    // A pixel that is 6 across for 5 down is 5 wide for 6 high.
+    let pixel = reader.info().pixel_dims.filter(|pixel| pixel.xppu > 0 && pixel.yppu > 0);
+    let ratio = pixel.map_or(1.0, |pixel| f64::from(pixel.yppu) / f64::from(pixel.xppu));
     let length = reader.output_buffer_size().unwrap_or(usize::MAX);
     let mut bytes = Vec::new();
     bytes.try_reserve_exact(length).map_err(io::Error::other)?;
@@ -61,7 +66,7 @@ fn decoded(file: impl io::BufRead + Seek) -> io::Result<(Size, Vec<Rgb<u8>>)> {
         }
         ColorType::Indexed => return Err(io::ErrorKind::Unsupported.into()),
     };
-    Ok((size, pixels.ok_or_else(|| io::Error::other("it has transparent pixels"))?))
+    Ok((size, size.ratio() * ratio, pixels.ok_or_else(|| io::Error::other("it has transparent pixels"))?))
 }
 
 /// Returns the colour of a pixel that hides what is behind it.

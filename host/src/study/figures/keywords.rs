@@ -32,6 +32,8 @@ const RASTER: &str = "picture 160 100  screen 8 5  samples 9\n";
 pub struct Example {
     /// Its name, which is that of its picture.
     pub name: String,
+    /// What is to be seen in the picture, as the page has it in place of the picture.
+    pub alt: String,
     /// The whole scene.
     pub text: String,
 }
@@ -51,10 +53,16 @@ pub fn examples(page: &str) -> Vec<Example> {
             [name, "in", other] => (name, above(other).map(|other| without(other, own) + own)),
             _ => continue,
         };
-        all.extend(text.map(|text| Example { name: (*name).into(), text }));
+        all.extend(text.map(|text| Example { name: (*name).into(), alt: String::new(), text }));
     }
-    all.retain(|example| page.contains(&format!("](pictures/{}.png)", example.name)));
-    all
+    let shown = |example: Example| Some(Example { alt: alt(page, &example.name)?, ..example });
+    all.into_iter().filter_map(shown).collect()
+}
+
+/// Returns what a page has in place of the picture `pictures/NAME.png`, if it shows that.
+fn alt(page: &str, name: &str) -> Option<String> {
+    let (before, _) = page.split_once(&format!("](pictures/{name}.png)"))?;
+    before.rsplit_once("![").map(|(_, alt)| alt.to_owned())
 }
 
 /// Returns the lines that do not begin with a word that lines of `own` begin with.
