@@ -51,7 +51,7 @@ fn show(folder: &Folder) -> Show {
     let scene = Scene::open(&folder.path("scene.dat")).unwrap();
     let args = ShowArgs::default();
     let request = Request::of_scene(&args.tracing, args.device, &scene).unwrap();
-    let mut show = Show::new(scene, None, request, Some(1)).unwrap();
+    let mut show = Show::new(scene, None, (request, args.film), Some(1)).unwrap();
     let begun = Instant::now();
     while !show.is_complete() {
         show.advance(PATIENCE).unwrap();
