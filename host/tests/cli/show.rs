@@ -16,6 +16,8 @@ use rta_scenes::Reading;
 
 use super::folder::Folder;
 
+mod film;
+
 fn show(scene: Scene) -> Show {
     let request = Request::of(&ShowArgs::default().tracing, Target::On(Device::Vga));
     let request = Request { size: Some("80x50".parse().expect("a size")), ..request };

@@ -159,9 +159,10 @@ impl Film {
             return false;
         }
         let steps = u32::try_from(steps).unwrap_or(u32::MAX);
+        let before = self.seen;
         self.since += self.pace() * steps;
         self.turn(i64::from(steps));
-        true
+        self.seen != before
     }
 
     /// Goes so many frames on, or back: from the last one to the first, and round again.
