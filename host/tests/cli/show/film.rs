@@ -151,7 +151,7 @@ fn once_traced_the_film_is_shown_from_memory_again_and_again() {
         changes += u32::from(seen != last);
         last = seen;
         // The very picture that was kept.
-        let place = std::ptr::from_ref(show.shown().expect("nothing is read back")) as usize;
+        let place = core::ptr::from_ref(show.shown().expect("nothing is read back")) as usize;
         assert_eq!(*places[seen as usize].get_or_insert(place), place);
     }
     assert!(places.iter().all(Option::is_some));
