@@ -2,12 +2,15 @@
 
 pub mod error;
 pub mod fit;
+pub mod sampler;
 pub mod scene_file;
 
 pub use rta_args::value::sampling;
 
-use rta_core::sampling::{Places, Sampling};
+use std::borrow::Cow;
+
 use rta_scenes::description::{Description, Settings};
+use rta_scenes::sampler::Sampler;
 
 use crate::args::TracingArgs;
 use crate::engine::{self, Cutoff, Engine, Format, MAX_DEPTH, Model};
@@ -19,7 +22,7 @@ use crate::picture::file::Caption;
 use crate::picture::raster::{Aspect, Size};
 use error::RequestError;
 use fit::Fit;
-use sampling::Samples;
+use sampler::{Told, put_lens, sampler};
 use scene_file::SceneFile;
 
 /// Depth of the rays where neither the command line nor the scene says it.
@@ -40,8 +43,10 @@ pub struct Request {
     pub depth: u32,
     /// Contribution cut-off: a ray that brings a smaller part of its light into the pixel is not traced; `None` for the model's.
     pub cutoff: Option<Cutoff>,
-    /// Samples of a pixel.
-    pub sampling: Sampling,
+    /// Samples of a pixel, and what spreads their rays.
+    pub sampling: Sampler,
+    /// Radius of the lens and distance that is sharp, where they are not those of the scene.
+    pub lens: (Option<f64>, Option<f64>),
     /// Pixels, or the display's own.
     pub size: Option<Size>,
     /// Shape of the screen, or the display's own.
@@ -72,7 +77,9 @@ impl Request {
             model: asked.model.unwrap_or(Model::Rta),
             depth: asked.depth.unwrap_or(DEPTH),
             cutoff,
-            sampling: asked.samples.unwrap_or(Samples::ONE).sampling(asked.jitter),
+            // Told in full once there is a scene.
+            sampling: sampler(&asked.spreading, None).unwrap_or(Sampler::CENTER),
+            lens: (asked.spreading.aperture, asked.spreading.focus),
             size,
             aspect,
             fit,
@@ -83,18 +90,17 @@ impl Request {
     /// the scene has it.
     ///
     /// # Errors
-    /// [`RequestError::TableWithoutDevice`], and those of [`Request::for_scene`].
+    /// [`RequestError::TableWithoutDevice`], and those of [`sampler()`] and [`Request::for_scene`].
     pub fn of_scene(asked: &TracingArgs, target: Target, scene: &SceneFile) -> Result<Self, RequestError> {
         if target == Target::None && (asked.table.is_some() || asked.dither.is_some()) {
             return Err(RequestError::TableWithoutDevice);
         }
         let request = Self::of(asked, target).for_scene(asked.model, scene)?;
         let said = &scene.description.settings;
-        let Settings { depth, samples, .. } = *said;
+        let Settings { depth, .. } = *said;
         let depth = asked.depth.or(depth).map_or(request.depth, |depth| depth.min(MAX_DEPTH));
         let cutoff = asked.cutoff.or(Cutoff::of(said));
-        let samples = asked.samples.or(samples.and_then(Samples::of));
-        let sampling = samples.map_or(request.sampling, |samples| samples.sampling(asked.jitter));
+        let sampling = sampler(&asked.spreading, Some(&scene.description))?;
         Ok(Self { depth, cutoff, sampling, ..request })
     }
 
@@ -159,7 +165,7 @@ impl Request {
     /// Those of [`Request::raster`], [`RequestError::Refused`] and [`RequestError::Engine`].
     pub fn engine(&self, scene: &SceneFile) -> Result<Engine, RequestError> {
         let fit = self.fit(self.raster()?.1);
-        self.engine_of(scene, &fit.scaled(scene))
+        self.engine_of(scene, fit.scaled(scene))
     }
 
     /// Makes the scene ready to be traced as asked, without a word about its scale: for the frames of a film after the first.
@@ -168,10 +174,14 @@ impl Request {
     /// Those of [`Request::engine`].
     pub fn quiet_engine(&self, scene: &SceneFile) -> Result<Engine, RequestError> {
         let fit = self.fit(self.raster()?.1);
-        self.engine_of(scene, &fit.scaled_by(scene).0)
+        self.engine_of(scene, fit.scaled_by(scene).0)
     }
 
-    fn engine_of(&self, scene: &SceneFile, description: &Description) -> Result<Engine, RequestError> {
+    fn engine_of(
+        &self,
+        scene: &SceneFile,
+        mut description: Cow<'_, Description>,
+    ) -> Result<Engine, RequestError> {
         let (size, aspect) = self.raster()?;
         let settings = engine::Settings {
             width: size.width(),
@@ -183,13 +193,16 @@ impl Request {
             cutoff: self.cutoff,
             sampling: self.sampling,
         };
-        Engine::new(description, &settings).map_err(|source| self.fit(aspect).engine_error(scene, source))
+        if self.lens != (None, None) {
+            put_lens(self.lens, description.to_mut());
+        }
+        Engine::new(&description, &settings).map_err(|source| self.fit(aspect).engine_error(scene, source))
     }
 
     /// Returns the text that is stored in a picture of `scene`.
     #[must_use]
     pub fn caption(&self, scene: &SceneFile) -> Caption {
-        let Self { target, coloring, format, model, depth, cutoff, sampling, .. } = self;
+        let Self { target, coloring, format, model, depth, cutoff, sampling, lens, .. } = self;
         let table = match target {
             Target::On(_) => format!(", {coloring}"),
             Target::None => String::new(),
@@ -198,9 +211,9 @@ impl Request {
         if let Some(cutoff) = cutoff.filter(|cutoff| *cutoff != Cutoff::OFF) {
             settings += &format!(", cut-off {cutoff}");
         }
-        if *sampling != Sampling::CENTER {
-            let grid = if sampling.is_jittered() { "jittered" } else { "regular" };
-            settings += &format!(", {} {grid} samples a pixel", sampling.samples());
+        settings += &Told(sampling).to_string();
+        for (length, name) in [(lens.0, "aperture"), (lens.1, "focus")] {
+            settings += &length.map_or(String::new(), |length| format!(", {name} {length}"));
         }
         Caption { title: scene.title.clone(), settings }
     }
