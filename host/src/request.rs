@@ -7,7 +7,9 @@ pub mod scene_file;
 
 pub use rta_args::value::sampling;
 
-use rta_scenes::description::Settings;
+use std::borrow::Cow;
+
+use rta_scenes::description::{Description, Settings};
 use rta_scenes::sampler::Sampler;
 
 use crate::args::TracingArgs;
@@ -162,6 +164,24 @@ impl Request {
     /// # Errors
     /// Those of [`Request::raster`], [`RequestError::Refused`] and [`RequestError::Engine`].
     pub fn engine(&self, scene: &SceneFile) -> Result<Engine, RequestError> {
+        let fit = self.fit(self.raster()?.1);
+        self.engine_of(scene, fit.scaled(scene))
+    }
+
+    /// Makes the scene ready to be traced as asked, without a word about its scale: for the frames of a film after the first.
+    ///
+    /// # Errors
+    /// Those of [`Request::engine`].
+    pub fn quiet_engine(&self, scene: &SceneFile) -> Result<Engine, RequestError> {
+        let fit = self.fit(self.raster()?.1);
+        self.engine_of(scene, fit.scaled_by(scene).0)
+    }
+
+    fn engine_of(
+        &self,
+        scene: &SceneFile,
+        mut description: Cow<'_, Description>,
+    ) -> Result<Engine, RequestError> {
         let (size, aspect) = self.raster()?;
         let settings = engine::Settings {
             width: size.width(),
@@ -173,12 +193,10 @@ impl Request {
             cutoff: self.cutoff,
             sampling: self.sampling,
         };
-        let fit = self.fit(aspect);
-        let mut description = fit.scaled(scene);
         if self.lens != (None, None) {
             put_lens(self.lens, description.to_mut());
         }
-        Engine::new(&description, &settings).map_err(|source| fit.engine_error(scene, source))
+        Engine::new(&description, &settings).map_err(|source| self.fit(aspect).engine_error(scene, source))
     }
 
     /// Returns the text that is stored in a picture of `scene`.

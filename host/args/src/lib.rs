@@ -57,9 +57,10 @@ pub enum Command {
     /// The picture grows finer as it is traced. Keys: D next device, M next illumination model, F next number format,
     /// T next colour table, X next dithering, + and - (or up and down) depth, R read the scene file again (a change on disk does so by
     /// itself), S save as a PNG in the current folder once the picture is complete, P palette, I the pixel under the
-    /// mouse, F11 full screen, H or F1 these keys, Esc or Q leave.
+    /// mouse, F11 full screen, H or F1 these keys, Esc or Q leave. A film: space pauses it or goes on, comma and full stop (or left
+    /// and right) go one frame back or on.
     ///
-    /// With no display (neither DISPLAY nor WAYLAND_DISPLAY, or no window to be had) the picture is written as a
+    /// With no display (neither DISPLAY nor WAYLAND_DISPLAY, or no window to be had) the picture or the film is written as a
     /// PNG into the current folder. No file is ever overwritten by this command.
     Show(ShowArgs),
     /// Trace a scene into a picture file

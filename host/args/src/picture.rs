@@ -13,12 +13,20 @@ use rta_scenes::Format;
 
 /// `rta show`.
 #[derive(Args, Debug)]
+#[command(
+    mut_arg("frames", |frames| frames.help(SHOWN_FRAMES).long_help(SHOWN_FRAMES_AT_LENGTH)),
+    mut_arg("rate", |rate| rate.help("Frames of the film in a second, once all are traced")),
+    mut_arg("one_table", |one_table| one_table.requires("frames"))
+)]
 pub struct ShowArgs {
     /// Scene file (.rta, .dat, .nff or .p3f), or - for standard input; without one, the Juggler
     pub scene: Option<PathBuf>,
     /// The display to emulate, or none for 8 bits a gun without a colour table
     #[arg(short, long, value_enum, ignore_case = true, default_value_t = Target::On(Device::Vga))]
     pub device: Target,
+    /// The scene's film.
+    #[command(flatten)]
+    pub film: FilmArgs,
     /// How the picture is traced.
     #[command(flatten)]
     pub tracing: TracingArgs,
@@ -26,7 +34,12 @@ pub struct ShowArgs {
 
 impl Default for ShowArgs {
     fn default() -> Self {
-        Self { scene: None, device: Target::On(Device::Vga), tracing: TracingArgs::default() }
+        Self {
+            scene: None,
+            device: Target::On(Device::Vga),
+            film: FilmArgs::default(),
+            tracing: TracingArgs::default(),
+        }
     }
 }
 
@@ -100,6 +113,17 @@ pub struct DrawingArgs {
     pub tracing: TracingArgs,
 }
 
+/// Frames of a film in a second where nobody says another number.
+const RATE: u16 = 20;
+
+/// What `--frames` is to `rta show`, in a line.
+const SHOWN_FRAMES: &str = "A film of so many frames, shown again and again: frame K is of the instant K/N";
+/// And at length.
+const SHOWN_FRAMES_AT_LENGTH: &str = "\
+A film of so many frames, shown again and again: frame K is of the instant K/N
+
+Each is the picture of --instant K/N, and is traced once; what is seen meanwhile is the last one that is complete. All are kept in memory.";
+
 /// A film: the frames of a scene, one after the other in one file.
 #[derive(Args, Clone, Copy, Debug)]
 pub struct FilmArgs {
@@ -109,11 +133,18 @@ pub struct FilmArgs {
     #[arg(long, value_name = "N", value_parser = choice::whole(1..=65_535_u32), conflicts_with = "instant")]
     pub frames: Option<u32>,
     /// Frames of the film in a second; a GIF rounds the time of each to hundredths of a second
-    #[arg(long, value_name = "N", default_value_t = 20, value_parser = choice::whole(1_u16..=50))]
+    #[arg(long, value_name = "N", default_value_t = RATE, value_parser = choice::whole(1_u16..=50))]
     pub rate: u16,
     /// One colour table for all frames of the film, made from all of them, and not one for each
     #[arg(long)]
     pub one_table: bool,
+}
+
+impl Default for FilmArgs {
+    /// No film.
+    fn default() -> Self {
+        Self { frames: None, rate: RATE, one_table: false }
+    }
 }
 
 /// `rta hash`. Its number format is fixed point unless another is asked for: only there do all machines arrive at one hash.

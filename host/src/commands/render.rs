@@ -14,9 +14,9 @@ use crate::picture::output::{Failure, PictureOutput};
 use crate::request::Request;
 use crate::request::error::RequestError;
 use crate::request::scene_file::SceneFile;
-use film::{Film, tempo};
 use rta_args::value::rows::Rows;
 
+pub use film::{Film, tempo};
 pub use work::{Source, Work};
 
 mod film;

@@ -1,6 +1,7 @@
 //! `rta show` without its window: the picture that fills in, and what each key does to it.
 
 pub mod desktop;
+pub mod film;
 pub mod keys;
 pub mod note;
 pub mod overlay;
@@ -8,17 +9,18 @@ pub mod palette;
 pub mod pointer;
 pub mod reload;
 pub mod shown;
+pub mod source;
 pub mod tracing;
 pub mod window;
 
 use core::time::Duration;
 use std::sync::Arc;
-use std::time::Instant;
 
 use rayon::ThreadPool;
 
+use crate::args::FilmArgs;
+use crate::engine::MAX_DEPTH;
 use crate::engine::bands;
-use crate::engine::{Engine, MAX_DEPTH};
 use crate::error::Error;
 use crate::picture::coloring::Coloring;
 use crate::picture::device::Target;
@@ -27,11 +29,11 @@ use crate::picture::frame::Place;
 use crate::picture::output;
 use crate::request::Request;
 use crate::request::scene_file::SceneFile;
+use film::Film;
 use note::Note;
-use pointer::Pointer;
 use reload::Watch;
 use shown::Shown;
-use tracing::{Asked, Part, Tracing};
+use source::Source;
 
 /// A change that a key asks for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -54,57 +56,45 @@ pub enum Command {
     Reload,
     /// A PNG of what the device shows once the picture is complete.
     Save,
+    /// The film stands still, or goes on.
+    Pause,
+    /// The film stands still one frame on.
+    Next,
+    /// The film stands still one frame back.
+    Previous,
 }
 
-/// A picture on a screen, and the threads that trace it.
+/// A picture or a film on a screen, and the threads that trace it.
 pub struct Show {
-    scene: SceneFile,
+    scene: Arc<SceneFile>,
     /// The file of the scene, if it can be read again.
     watch: Option<Watch>,
     request: Request,
+    /// The film that is asked for, if one is.
+    asked: FilmArgs,
     pool: Arc<ThreadPool>,
-    work: Work,
+    film: Film,
     /// Whether the picture is saved once it is complete.
     is_saving: bool,
     /// The result of the last key, or of a change of the file.
     note: Option<Note>,
 }
 
-/// A picture that is being traced.
-struct Work {
-    engine: Arc<Engine>,
-    shown: Shown,
-    tracing: Tracing,
-    /// Time that the picture took, once it is complete.
-    took: Option<Duration>,
-    pointer: Pointer,
-}
-
-impl Work {
-    /// Switches a screen on and starts to trace.
-    fn begin(scene: &SceneFile, request: &Request, pool: &Arc<ThreadPool>) -> Result<Self, Error> {
-        let (size, _) = request.raster()?;
-        let engine = Arc::new(request.engine(scene)?);
-        let shown = Shown::new(request)?;
-        let tracing = Tracing::begin(Arc::clone(&engine), Asked::of(request, size), Arc::clone(pool));
-        Ok(Self { engine, shown, tracing, took: None, pointer: Pointer::default() })
-    }
-}
-
 impl Show {
-    /// Begins to trace `scene`, whose file is watched by `watch` if it is one that can be read again.
+    /// Begins to trace `scene`, whose file is watched by `watch` if it is one that can be read again: a picture, or a film.
     ///
     /// # Errors
-    /// Those of [`Request::engine`], [`BandsError::Threads`](bands::BandsError::Threads) and [`PictureError::Display`].
+    /// Those of [`Film::begin`], and [`BandsError::Threads`](bands::BandsError::Threads).
     pub fn new(
         scene: SceneFile,
         watch: Option<Watch>,
-        request: Request,
+        (request, asked): (Request, FilmArgs),
         threads: Option<u16>,
     ) -> Result<Self, Error> {
-        let pool = Arc::new(bands::pool(threads)?);
-        let work = Work::begin(&scene, &request, &pool)?;
-        Ok(Self { scene, watch, request, pool, work, is_saving: false, note: None })
+        let (scene, pool) = (Arc::new(scene), Arc::new(bands::pool(threads)?));
+        let source = Source::new(Arc::clone(&scene), request.clone(), asked.frames);
+        let film = Film::begin(source, asked, Arc::clone(&pool))?;
+        Ok(Self { scene, watch, request, asked, pool, film, is_saving: false, note: None })
     }
 
     /// The picture that is asked for now.
@@ -113,10 +103,16 @@ impl Show {
         &self.request
     }
 
-    /// Returns whether all rows are on the screen.
+    /// The frames that are seen, or the picture.
     #[must_use]
-    pub const fn is_complete(&self) -> bool {
-        self.work.took.is_some()
+    pub const fn film(&self) -> &Film {
+        &self.film
+    }
+
+    /// Returns whether all of the picture is there, or all frames.
+    #[must_use]
+    pub fn is_complete(&self) -> bool {
+        self.film.is_complete()
     }
 
     /// Returns whether the picture is to be saved and is not complete yet.
@@ -125,27 +121,21 @@ impl Show {
         self.is_saving
     }
 
-    /// Puts the rows that are ready on the screen, for about as long as `budget`. Returns whether there were any.
+    /// Puts the rows that are ready on the screen, for about as long as `budget`, and lets a film go on. Returns whether something else
+    /// is to be seen now.
     ///
     /// # Errors
-    /// [`PictureError::Display`] if the device refuses them.
+    /// Those of [`Film::advance`].
     pub fn advance(&mut self, budget: Duration) -> Result<bool, Error> {
-        let begin = Instant::now();
-        let mut any = false;
-        while let Some(part) = self.work.tracing.next() {
-            if let Part::Complete(took) = part {
-                self.work.took = Some(took);
-                if core::mem::take(&mut self.is_saving) {
-                    self.save();
-                }
-            }
-            self.work.shown.put(part)?;
-            any = true;
-            if begin.elapsed() >= budget {
-                break;
-            }
+        let is_new = self.film.advance(budget)?;
+        if let Some(error) = self.film.failure() {
+            self.note = Some(Note::error(error.to_string()));
+            self.is_saving &= self.film.has_picture();
         }
-        Ok(any)
+        if self.film.has_picture() && core::mem::take(&mut self.is_saving) {
+            self.save();
+        }
+        Ok(is_new)
     }
 
     /// Returns what is to be seen of the picture, read back from the device.
@@ -153,14 +143,14 @@ impl Show {
     /// # Errors
     /// [`PictureError::Display`] if it does not answer.
     pub fn shown(&mut self) -> Result<&Shown, Error> {
-        self.work.shown.refresh()?;
-        Ok(&self.work.shown)
+        self.film.refresh()?;
+        Ok(self.film.shown())
     }
 
     /// Returns where the picture lies in a window of `width` x `height`.
     #[must_use]
     pub fn place(&self, width: usize, height: usize) -> Place {
-        let picture = self.work.shown.picture();
+        let picture = self.film.shown().picture();
         Place::new(picture.size, picture.aspect, width, height)
     }
 
@@ -189,7 +179,8 @@ impl Show {
             Command::Shallower if request.depth > 0 => request.depth -= 1,
             Command::Deeper | Command::Shallower => return,
             Command::Reload => return self.reload(),
-            Command::Save if self.is_complete() => return self.save(),
+            Command::Pause | Command::Next | Command::Previous => return self.turn(command),
+            Command::Save if self.film.has_picture() => return self.save(),
             Command::Save => {
                 self.is_saving = true;
                 let text = "the picture is saved once it is complete".into();
@@ -201,13 +192,32 @@ impl Show {
         let begun = request
             .for_scene(Some(model), &self.scene)
             .map_err(Error::from)
-            .and_then(|request| Ok((Work::begin(&self.scene, &request, &self.pool)?, request)));
+            .and_then(|request| Ok((self.begin(&self.scene, &request)?, request)));
         match begun {
-            Ok((work, request)) => {
+            Ok((film, request)) => {
                 self.request = request;
-                self.replace(work);
+                self.replace(film);
             }
             Err(error) => self.note = Some(Note::error(error.to_string())),
+        }
+    }
+
+    /// Begins to trace a scene from its first frame.
+    fn begin(&self, scene: &Arc<SceneFile>, request: &Request) -> Result<Film, Error> {
+        let source = Source::new(Arc::clone(scene), request.clone(), self.asked.frames);
+        Film::begin(source, self.asked, Arc::clone(&self.pool))
+    }
+
+    /// Lets the film stand still or go on.
+    fn turn(&mut self, command: Command) {
+        match command {
+            _ if !self.film.is_film() => {
+                let text = "this is one picture: rta show --frames shows a film".into();
+                self.note = Some(Note::message(text));
+            }
+            Command::Next => self.film.step(1),
+            Command::Previous => self.film.step(-1),
+            _ => self.film.pause(),
         }
     }
 
@@ -222,20 +232,22 @@ impl Show {
     /// Reads the scene again if it is in a file, and traces it. A file that is broken leaves the picture as it was.
     fn reload(&mut self) {
         let begun = self.read_again().and_then(|(scene, request)| {
-            let work = Work::begin(&scene, &request, &self.pool)?;
-            Ok((scene, request, work))
+            let film = self.begin(&scene, &request)?;
+            Ok((scene, request, film))
         });
         match begun {
-            Ok((scene, request, work)) => {
+            Ok((scene, request, film)) => {
                 (self.scene, self.request) = (scene, request);
-                self.replace(work);
+                self.replace(film);
             }
             Err(error) => self.note = Some(Note::error(error.to_string())),
         }
     }
 
-    fn read_again(&mut self) -> Result<(SceneFile, Request), Error> {
-        let Some(watch) = &mut self.watch else { return Ok((self.scene.clone(), self.request.clone())) };
+    fn read_again(&mut self) -> Result<(Arc<SceneFile>, Request), Error> {
+        let Some(watch) = &mut self.watch else {
+            return Ok((Arc::clone(&self.scene), self.request.clone()));
+        };
         watch.take();
         let scene = SceneFile::open_as(watch.path(), watch.reading())?;
         let mut request = self.request.clone();
@@ -246,11 +258,11 @@ impl Show {
         }
         let model = request.model;
         let request = request.for_scene(Some(model), &scene)?;
-        Ok((scene, request))
+        Ok((Arc::new(scene), request))
     }
 
-    fn replace(&mut self, work: Work) {
-        self.work = work;
+    fn replace(&mut self, film: Film) {
+        self.film = film;
         if core::mem::take(&mut self.is_saving) {
             let text = "not saved: another picture was begun before that one was complete".into();
             self.note = Some(Note::error(text));
@@ -267,7 +279,8 @@ impl Show {
 
     fn save_new(&mut self) -> Result<String, Error> {
         let mut content = Vec::new();
-        let stem = format!("rta-{}-{}", self.scene.title, self.request.target);
+        let frame = self.film.number().map(|number| format!("-frame-{number}")).unwrap_or_default();
+        let stem = format!("rta-{}-{}{frame}", self.scene.title, self.request.target);
         let caption = self.request.caption(&self.scene);
         let encoded = self.shown()?.picture().write_png(&caption, &mut content);
         encoded.map_err(|source| PictureError::write(stem.as_ref(), source))?;
@@ -293,27 +306,22 @@ impl Show {
     /// Returns two lines about a pixel: its place, colour and entry of the colour table, and the object and rays behind it.
     #[must_use]
     pub fn describe(&mut self, x: u32, y: u32) -> Vec<String> {
-        self.work.pointer.describe(&self.work.engine, &self.work.shown, (x, y))
+        self.film.describe((x, y))
     }
 
-    /// Returns the title: scene, device, format, model, depth and time, and the result of the last key.
+    /// Returns the title: scene, device, format, model, depth, frame and time, and the result of the last key.
     #[must_use]
     pub fn title(&self) -> String {
         let Request { target, coloring, format, model, depth, .. } = &self.request;
         let title = &self.scene.title;
-        let time = match self.work.took {
-            Some(took) => format!("{:.2} s", took.as_secs_f64()),
-            None => {
-                let shown = &self.work.shown;
-                let rows = shown.picture().size.height();
-                format!("{} %", u64::from(shown.rows()) * 100 / u64::from(rows))
-            }
-        };
         let note = self.note.as_ref().map(|note| format!(" | {}", note.text())).unwrap_or_default();
         let colors = match target {
             Target::On(_) => format!("{}, dither {}", coloring.table, coloring.dither),
             Target::None => "no colour table".into(),
         };
-        format!("rta: {title} | {target} | {format} | {model} | depth {depth} | {colors} | {time}{note}")
+        format!(
+            "rta: {title} | {target} | {format} | {model} | depth {depth} | {colors} | {}{note}",
+            self.film.progress()
+        )
     }
 }

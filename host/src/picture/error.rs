@@ -83,6 +83,22 @@ pub enum PictureError {
     /// Not enough memory for the picture.
     #[error("not enough memory for a picture of {0}")]
     Memory(Size),
+    /// The frames of a film take more memory than the window keeps of them.
+    #[error(
+        "{frames} frames of {size} take {} MiB, and the window keeps at most {}: fewer --frames or a smaller --size, or a file by rta render",
+        bytes.div_ceil(1 << 20),
+        most >> 20
+    )]
+    Film {
+        /// How many.
+        frames: u32,
+        /// Of each.
+        size: Size,
+        /// Of all.
+        bytes: u64,
+        /// The limit that they exceed.
+        most: u64,
+    },
     /// The reader of a pipe has closed it. The program ends without a word and without an error status.
     #[error("standard output is closed")]
     BrokenPipe,

@@ -81,6 +81,22 @@ impl Screen {
         Self::with(device, (size, aspect), parts(device, coloring, size, light)?)
     }
 
+    /// Switches `device` on with a colour table that is made from samples, colours with 8 bits a gun of a grid that is `width` of them
+    /// wide. There may be none if [`Coloring::samples`] is 0.
+    ///
+    /// # Errors
+    /// Those of [`Screen::new`].
+    pub fn of_samples(
+        (device, coloring): (Device, Coloring),
+        (size, aspect): (Size, f64),
+        (samples, width): (&[Rgb<u8>], u32),
+    ) -> Result<Self, PictureError> {
+        let capabilities = device.capabilities();
+        let table = coloring.table(capabilities, samples, width).map_err(PictureError::display)?;
+        let dithering = coloring.dithering(capabilities, size.columns()).map_err(PictureError::display)?;
+        Self::with(device, (size, aspect), (Table(table), dithering))
+    }
+
     /// Switches `device` on with a colour table and a dithering.
     ///
     /// # Errors
@@ -124,6 +140,17 @@ impl Screen {
     }
 }
 
+/// Returns the grid of a picture of `size` of whose pixels a colour table is made, or the part of the table that is this picture's
+/// where it is made from so many `frames` alike. Without samples it has one pixel.
+///
+/// # Errors
+/// [`PictureError::Display`] if no raster has this size.
+pub(crate) fn lattice(coloring: Coloring, size: Size, frames: u32) -> Result<Lattice, PictureError> {
+    let raster = Raster::new(size.width(), size.height()).map_err(PictureError::display)?;
+    let frames = usize::try_from(frames).unwrap_or(usize::MAX);
+    Ok(Lattice::new(raster, (coloring.samples() / frames.max(1)).max(1)))
+}
+
 /// Returns the colour table and the dithering of a picture on a device.
 ///
 /// # Errors
@@ -135,8 +162,7 @@ pub(crate) fn parts<E: From<PictureError>>(
     light: impl FnOnce(Lattice) -> Result<Vec<Rgb<u8>>, E>,
 ) -> Result<(Table, Dithering), E> {
     let capabilities = device.capabilities();
-    let raster = Raster::new(size.width(), size.height()).map_err(PictureError::display)?;
-    let lattice = Lattice::new(raster, coloring.samples());
+    let lattice = lattice(coloring, size, 1)?;
     let samples = if coloring.samples() == 0 { Vec::new() } else { light(lattice)? };
     let table =
         coloring.table(capabilities, &samples, lattice.grid().width()).map_err(PictureError::display)?;

@@ -37,14 +37,23 @@ impl Fit {
     /// more precise. A line on standard error tells the factor.
     #[must_use]
     pub fn scaled<'a>(&self, scene: &'a SceneFile) -> Cow<'a, Description> {
+        let (scaled, factor) = self.scaled_by(scene);
+        if let Some(factor) = factor {
+            tell(&format!("{} is scaled by {} to fit {}", scene.source, PowerOfTwo(factor), self.format));
+        }
+        scaled
+    }
+
+    /// Returns the scene as it is, or scaled as [`Fit::scaled`] has it, and the factor then. Nothing is told.
+    #[must_use]
+    pub fn scaled_by<'a>(&self, scene: &'a SceneFile) -> (Cow<'a, Description>, Option<f64>) {
         if self.asked
             && let Ok(Fitted::Scaled { factor, scene: scaled, .. }) =
                 self.fitted(&scene.description, self.admits(&scene.description))
         {
-            tell(&format!("{} is scaled by {} to fit {}", scene.source, PowerOfTwo(factor), self.format));
-            return Cow::Owned(*scaled);
+            return (Cow::Owned(*scaled), Some(factor));
         }
-        Cow::Borrowed(&scene.description)
+        (Cow::Borrowed(&scene.description), None)
     }
 
     /// Writes a line on standard error about a scene that is admitted and would be drawn much more precisely with `--fit`.

@@ -3,7 +3,7 @@
 use core::time::Duration;
 use std::time::Instant;
 
-use rta::args::ShowArgs;
+use rta::args::{FilmArgs, ShowArgs};
 use rta::device::{Device, Target};
 use rta::engine::{Engine, Format, Model, Settings};
 use rta::picture::Pixels;
@@ -16,10 +16,12 @@ use rta_scenes::Reading;
 
 use super::folder::Folder;
 
+mod film;
+
 fn show(scene: Scene) -> Show {
     let request = Request::of(&ShowArgs::default().tracing, Target::On(Device::Vga));
     let request = Request { size: Some("80x50".parse().expect("a size")), ..request };
-    Show::new(scene, None, request, Some(2)).expect("it begins")
+    Show::new(scene, None, (request, FilmArgs::default()), Some(2)).expect("it begins")
 }
 
 fn complete(show: &mut Show) {
@@ -74,7 +76,7 @@ fn the_picture_of_the_window_is_that_of_render_with_and_without_a_device() {
     let folder = Folder::new();
     let scene = || Scene::open(&folder.path("scene.dat")).expect("it is well formed");
     let request = Request::of(&ShowArgs::default().tracing, Target::On(Device::Vga));
-    let mut show = Show::new(scene(), None, request, Some(2)).expect("it begins");
+    let mut show = Show::new(scene(), None, (request, FilmArgs::default()), Some(2)).expect("it begins");
     for device in ["vga", "graphigs", "pixrect", "none"] {
         complete(&mut show);
         assert_eq!(show.request().target.to_string(), device);
@@ -121,7 +123,7 @@ fn a_scene_read_again_states_its_size_anew() {
     let watch = Watch::new(&path, Reading::default());
     let scene = Scene::open(&path).expect("it is well formed");
     let request = Request::of_scene(&ShowArgs::default().tracing, Target::None, &scene).expect("a size");
-    let mut show = Show::new(scene, Some(watch), request, Some(2)).expect("it begins");
+    let mut show = Show::new(scene, Some(watch), (request, FilmArgs::default()), Some(2)).expect("it begins");
     folder.scene("scene.nff", nff("32 48"));
     show.obey(Command::Reload);
     assert_eq!(show.visible_note(), None);
@@ -145,7 +147,9 @@ fn a_scene_is_read_again_as_it_was_read() {
     let reading = Reading { lenient: true, ..Reading::default() };
     let scene = Scene::open_as(&path, reading).expect("an unknown line is passed over");
     let request = Request::of_scene(&ShowArgs::default().tracing, Target::None, &scene).expect("a size");
-    let mut show = Show::new(scene, Some(Watch::new(&path, reading)), request, Some(1)).expect("it begins");
+    let mut show =
+        Show::new(scene, Some(Watch::new(&path, reading)), (request, FilmArgs::default()), Some(1))
+            .expect("it begins");
     show.obey(Command::Reload);
     assert_eq!(show.visible_note(), None);
 }

@@ -15,13 +15,18 @@ use super::folder::{Folder, decoder, spoilt};
 use desk::{Desk, PATIENCE, has_tools};
 
 mod desk;
+mod film;
 
 /// Pixels of mode 13h that the mouse is moved to: in the middle, at the edges, and where the text has to make room.
 const PIXELS: [(u32, u32); 5] = [(160, 100), (0, 0), (97, 60), (200, 190), (319, 199)];
 
 /// What `rta render` makes of a scene on mode 13h: its palette, and the index of each pixel.
 fn rendered(folder: &Folder) -> (Vec<u32>, Vec<u8>) {
-    folder.renders(&["scene.dat", "-o", "want.png"]);
+    rendered_as(folder, &["scene.dat"])
+}
+
+fn rendered_as(folder: &Folder, args: &[&str]) -> (Vec<u32>, Vec<u8>) {
+    folder.renders(&[args, &["-o", "want.png"]].concat());
     let mut reader = decoder(&folder.path("want.png"));
     let mut indices = vec![0; reader.output_buffer_size().unwrap()];
     reader.next_frame(&mut indices).unwrap();
@@ -51,7 +56,7 @@ fn show(folder: &Folder) -> Show {
     let scene = Scene::open(&folder.path("scene.dat")).unwrap();
     let args = ShowArgs::default();
     let request = Request::of_scene(&args.tracing, args.device, &scene).unwrap();
-    let mut show = Show::new(scene, None, request, Some(1)).unwrap();
+    let mut show = Show::new(scene, None, (request, args.film), Some(1)).unwrap();
     let begun = Instant::now();
     while !show.is_complete() {
         show.advance(PATIENCE).unwrap();

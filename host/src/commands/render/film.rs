@@ -3,40 +3,44 @@
 use core::ops::Range;
 use std::io::Write;
 
-use rta_core::raster::Raster;
-use rta_core::raster::lattice::Lattice;
-
 use super::Work;
 use crate::args::DrawingArgs;
 use crate::engine::interrupt;
 use crate::engine::progress::Progress;
 use crate::error::Error;
-use crate::picture::coloring::Table;
 use crate::picture::device::{Device, Target};
 use crate::picture::error::PictureError;
 use crate::picture::file::film::FilmWriter;
 use crate::picture::file::{Caption, Displayed, FileType, Pixels};
 use crate::picture::output::Failure;
-use crate::picture::screen::Screen;
+use crate::picture::screen::{Screen, lattice};
 use crate::request::Request;
 use crate::request::scene_file::SceneFile;
 
 /// A film that is asked for.
-pub(super) struct Film<'a> {
-    pub(super) request: &'a Request,
-    pub(super) scene: &'a SceneFile,
-    pub(super) args: &'a DrawingArgs,
-    pub(super) frames: u32,
+pub struct Film<'a> {
+    /// How each frame is traced.
+    pub request: &'a Request,
+    /// The scene whose things move.
+    pub scene: &'a SceneFile,
+    /// How many frames there are in a second, whether they have one colour table, and by how many threads they are traced.
+    pub args: &'a DrawingArgs,
+    /// How many frames there are.
+    pub frames: u32,
 }
 
 /// Returns what a caption says of a film.
-pub(super) fn tempo(frames: u32, rate: u16) -> String {
+#[must_use]
+pub fn tempo(frames: u32, rate: u16) -> String {
     format!(", {frames} frames, {rate} in a second")
 }
 
 impl Film<'_> {
     /// Draws the frames and writes them. Where each has a table of its own, no more than one is held in memory.
-    pub(super) fn write(
+    ///
+    /// # Errors
+    /// Those of a frame, as [`Error::Frame`], and those of `out`.
+    pub fn write(
         &self,
         file_type: FileType,
         caption: &Caption,
@@ -68,23 +72,18 @@ impl Film<'_> {
     /// Returns the frames as a device shows them whose colour table stays: it is made from samples of all of them. A table that grows
     /// while a picture is drawn goes on growing from frame to frame.
     fn on_one_screen(&self, device: Device, progress: Option<Progress>) -> Result<Vec<Displayed>, Error> {
-        let (coloring, capabilities) = (self.request.coloring, device.capabilities());
+        let coloring = self.request.coloring;
         let (size, aspect) = self.request.raster()?;
-        let raster = Raster::new(size.width(), size.height()).map_err(PictureError::display)?;
-        let most = coloring.samples();
-        let frames = usize::try_from(self.frames).unwrap_or(usize::MAX);
-        let lattice = Lattice::new(raster, (most / frames).max(1));
+        let lattice = lattice(coloring, size, self.frames)?;
         let mut samples = Vec::new();
-        if most > 0 {
+        if coloring.samples() > 0 {
             self.each(0..self.frames, None, |work| {
                 samples.extend(work.on_grid(lattice)?);
                 Ok::<_, Error>(())
             })?;
         }
-        let table = coloring.table(capabilities, &samples, lattice.grid().width());
-        let table = Table(table.map_err(PictureError::display)?);
-        let dithering = coloring.dithering(capabilities, size.columns()).map_err(PictureError::display)?;
-        let mut screen = Screen::with::<Error>(device, (size, aspect), (table, dithering))?;
+        let samples = (samples.as_slice(), lattice.grid().width());
+        let mut screen = Screen::of_samples((device, coloring), (size, aspect), samples)?;
         let mut pictures = Vec::new();
         self.each(0..self.frames, progress, |work| {
             pictures.try_reserve(1).map_err(|_| PictureError::Memory(size))?;

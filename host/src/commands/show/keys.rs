@@ -16,6 +16,8 @@ X         next dithering: none, fs, fs7351, bayer
 + -       more or fewer reflections (also up and down)
 R         read the scene file again (a change does so by itself)
 S         save as a PNG once the picture is complete
+Space     pause the film, or go on
+, .       the film's frame before or after (also left and right)
 P         palette: the device's colour table
 I         tell the pixel under the mouse, or not
 F11       full screen
@@ -53,6 +55,9 @@ impl Press {
             '-' => Self::Do(Command::Shallower),
             'r' => Self::Do(Command::Reload),
             's' => Self::Do(Command::Save),
+            ' ' => Self::Do(Command::Pause),
+            ',' => Self::Do(Command::Previous),
+            '.' => Self::Do(Command::Next),
             'p' => Self::Palette,
             'i' => Self::Probe,
             'h' | '?' => Self::Help,
@@ -66,6 +71,8 @@ impl Press {
         match key {
             Key::Up => Some(Self::Do(Command::Deeper)),
             Key::Down => Some(Self::Do(Command::Shallower)),
+            Key::Left => Some(Self::Do(Command::Previous)),
+            Key::Right => Some(Self::Do(Command::Next)),
             Key::F1 => Some(Self::Help),
             Key::F11 => Some(Self::FullScreen),
             Key::Escape => Some(Self::Leave),
@@ -112,6 +119,7 @@ mod tests {
                     "F1" => Press::of_key(Key::F1),
                     "F11" => Press::of_key(Key::F11),
                     "Esc" => Press::of_key(Key::Escape),
+                    "Space" => Press::of_char(' '),
                     key => key.chars().next().and_then(Press::of_char),
                 };
                 assert!(known.is_some(), "{key}");

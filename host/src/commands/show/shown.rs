@@ -38,11 +38,11 @@ pub struct Shown {
 }
 
 impl Shown {
-    /// Switches the device of `request` on, with nothing on its screen.
+    /// Switches the device of `request` on, with nothing on its screen; or goes on with `screen`, which has the frame before this one.
     ///
     /// # Errors
     /// Those of [`Request::raster`], [`PictureError::Display`] if the device does not start, and [`PictureError::Memory`].
-    pub fn new(request: &Request) -> Result<Self, Error> {
+    pub fn new(request: &Request, screen: Option<Screen>) -> Result<Self, Error> {
         let (size, aspect) = request.raster()?;
         let pixels = match request.target.device() {
             Some(_) => Pixels::Indexed { palette: vec![BACKGROUND], indices: vec![0; size.pixels()] },
@@ -54,21 +54,29 @@ impl Shown {
         };
         let picture = Displayed { size, aspect, pixels };
         let display = request.target.device().map(|device| (device, request.coloring));
-        let mut shown = Self { display, screen: None, picture, rows: 0, previews: Vec::new(), stale: false };
-        if request.coloring.samples() == 0 {
-            shown.switch_on(Vec::new())?;
+        let mut shown = Self { display, screen, picture, rows: 0, previews: Vec::new(), stale: false };
+        if shown.screen.is_none() && request.coloring.samples() == 0 {
+            shown.switch_on(&[], 0)?;
         }
         Ok(shown)
     }
 
-    /// Switches the device on, if there is one, with a colour table that is made from samples.
-    fn switch_on(&mut self, samples: Vec<Rgb<u8>>) -> Result<(), Error> {
+    /// Switches the device on, if there is one, with a colour table that is made from samples of a grid that is `width` wide.
+    fn switch_on(&mut self, samples: &[Rgb<u8>], width: u32) -> Result<(), Error> {
         if let Some(display) = self.display {
-            let Displayed { size, aspect, .. } = self.picture;
-            self.screen = Some(Screen::new(display, (size, aspect), |_| Ok::<_, Error>(samples))?);
+            self.screen = Some(Screen::of_samples(display, self.picture.shape(), (samples, width))?);
             self.stale = true;
         }
         Ok(())
+    }
+
+    /// Reads the complete picture back, and lets go of the device.
+    ///
+    /// # Errors
+    /// [`PictureError::Display`] if it does not answer.
+    pub fn finish(&mut self) -> Result<Option<Screen>, Error> {
+        self.refresh()?;
+        Ok(self.screen.take())
     }
 
     /// Takes rows that have been traced.
@@ -78,8 +86,8 @@ impl Shown {
     pub fn put(&mut self, part: Part) -> Result<(), Error> {
         let (size, first, levels) = match part {
             Part::Rows { size, first, levels } => (size, first, levels),
-            Part::Samples(samples) => return self.switch_on(samples),
-            Part::Complete(_) => return Ok(()),
+            Part::Samples { light, width } => return self.switch_on(&light, width),
+            Part::Ready(_) | Part::Complete(_) | Part::Failed(_) => return Ok(()),
         };
         if size != self.picture.size {
             if first == 0 {
@@ -178,7 +186,7 @@ mod tests {
     fn shown(target: Target) -> Shown {
         let request = Request::of(&ShowArgs::default().tracing, target);
         let size = Some(Size::new(4, 4).expect("small"));
-        Shown::new(&Request { size, ..request }).expect("it starts")
+        Shown::new(&Request { size, ..request }, None).expect("it starts")
     }
 
     fn rows(side: u32, first: u32, levels: &[u8]) -> Part {
@@ -208,7 +216,7 @@ mod tests {
             near(red(&shown), [bright(half); 4]);
             shown.put(rows(2, 0, &[full, 0])).expect("taken");
             near(red(&shown), [bright(full), bright(full), bright(half), bright(half)]);
-            shown.put(Part::Samples(vec![Rgb::new(255, 0, 0)])).expect("taken");
+            shown.put(Part::Samples { light: vec![Rgb::new(255, 0, 0)], width: 1 }).expect("taken");
             shown.put(rows(4, 0, &[0; 4])).expect("taken");
             shown.refresh().expect("it answers");
             near(red(&shown), [0, bright(full), bright(half), bright(half)]);

@@ -1,5 +1,6 @@
 //! The threads behind the window: first coarse previews of the picture, each finer than the one before, then the picture itself.
 
+use core::ops::Range;
 use core::sync::atomic::{AtomicBool, Ordering};
 use core::time::Duration;
 use std::sync::Arc;
@@ -8,12 +9,14 @@ use std::time::Instant;
 
 use rayon::ThreadPool;
 use rta_core::color::Rgb;
-use rta_core::raster::Raster;
 use rta_core::raster::lattice::Lattice;
 
+use super::source::Source;
 use crate::engine::Engine;
 use crate::engine::bands::{self, BandsError};
+use crate::error::Error;
 use crate::picture::raster::Size;
+use crate::picture::screen::lattice;
 use crate::request::Request;
 
 /// The first preview has about this many pixels along its longer side: it is there at once.
@@ -25,8 +28,9 @@ const FINEST: u32 = 4;
 const MOST: usize = 1 << 20;
 
 /// Something that has been traced.
-#[derive(Debug)]
 pub enum Part {
+    /// The scene is ready to be traced. It comes first.
+    Ready(Arc<Engine>),
     /// Whole rows of a preview or, with the size of the picture, of the picture itself, from the top down.
     Rows {
         /// Pixels of the preview or picture.
@@ -36,11 +40,18 @@ pub enum Part {
         /// Levels: of a preview 0..=255; of the picture those that its device takes.
         levels: Vec<Rgb<u8>>,
     },
-    /// The pixels of a grid, 8 bits a gun, of which the device's colour table is to be made. They come before the first row of the
-    /// picture, and none come for a table that is not made from the picture.
-    Samples(Vec<Rgb<u8>>),
+    /// The pixels of which the device's colour table is to be made. They come before the first row of the picture, and none come for a
+    /// table that is not made from the picture, or is there already.
+    Samples {
+        /// Their colours, 8 bits a gun.
+        light: Vec<Rgb<u8>>,
+        /// Columns of the grid that they are the pixels of.
+        width: u32,
+    },
     /// The picture is complete. It has taken this long, without its previews.
     Complete(Duration),
+    /// The scene cannot be traced. Nothing comes after it.
+    Failed(Box<Error>),
 }
 
 /// The threads that trace a picture. They stop within a band when this is dropped.
@@ -57,41 +68,47 @@ impl Drop for Tracing {
 }
 
 /// What is to be traced.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Asked {
     /// Pixels of the picture.
     size: Size,
     /// The highest level of its light.
     light_max: u8,
-    /// The grid whose pixels are needed before the first row.
-    samples: Option<Lattice>,
+    /// The grid whose pixels are needed before the first row, and the frames that they are needed of.
+    samples: Option<(Lattice, Range<u32>)>,
+    /// The frame.
+    number: u32,
 }
 
 impl Asked {
-    /// Returns what is to be traced for the picture of `request`, whose size is `size`.
-    #[must_use]
-    pub fn of(request: &Request, size: Size) -> Self {
-        let coloring = request.coloring;
+    /// Returns what is asked of a frame whose colour table is made of some frames: of none if it is there already.
+    ///
+    /// # Errors
+    /// Those of [`Request::raster`].
+    pub fn of(request: &Request, number: u32, table: Range<u32>) -> Result<Self, Error> {
+        let (Request { coloring, .. }, (size, _)) = (request, request.raster()?);
         let device = request.target.device();
         let light_max = device.map_or(u8::MAX, |device| coloring.light_max(device.capabilities()));
-        let is_sampled = device.is_some() && coloring.samples() > 0;
-        let raster = Raster::new(size.width(), size.height()).ok().filter(|_| is_sampled);
-        let samples = raster.map(|raster| Lattice::new(raster, coloring.samples()));
-        Self { size, light_max, samples }
+        let is_sampled = device.is_some() && coloring.samples() > 0 && !table.is_empty();
+        let frames = u32::try_from(table.len()).unwrap_or(u32::MAX);
+        let lattice = if is_sampled { Some(lattice(*coloring, size, frames)?) } else { None };
+        Ok(Self { size, light_max, samples: lattice.map(|lattice| (lattice, table)), number })
     }
 }
 
 impl Tracing {
-    /// Begins to trace a picture.
-    pub fn begin(engine: Arc<Engine>, asked: Asked, pool: Arc<ThreadPool>) -> Self {
-        let Asked { size, light_max, samples } = asked;
+    /// Begins to trace a frame. The first one has previews; the others are not seen before they are complete.
+    pub fn begin(source: Source, engine: Option<Arc<Engine>>, asked: Asked, pool: Arc<ThreadPool>) -> Self {
+        let Asked { size, light_max, samples, number } = asked;
         let (sender, parts) = mpsc::channel();
         let stop = Arc::new(AtomicBool::new(false));
         let stopped = Arc::clone(&stop);
         std::thread::spawn(move || {
-            let work = || -> Result<(), BandsError> {
+            let work = || -> Result<(), Error> {
                 let send = |part| sender.send(part).map_err(|_| BandsError::Interrupted);
-                for size in previews(size) {
+                let engine = engine.map_or_else(|| source.engine(number).map(Arc::new), Ok)?;
+                send(Part::Ready(Arc::clone(&engine)))?;
+                for size in previews(size).into_iter().filter(|_| number == 0) {
                     // The tracer has a raster of every size that is smaller than the picture's.
                     let trace = |first, levels: &mut [_]| {
                         let _ = engine.preview_rows(size, first, u8::MAX, levels);
@@ -100,16 +117,29 @@ impl Tracing {
                     bands::bands(size, &pool, &stopped, trace, deliver)?;
                 }
                 let began = Instant::now();
-                if let Some(lattice) = samples {
-                    send(Part::Samples(engine.on_grid(lattice, &pool, &stopped)?))?;
+                if let Some((lattice, frames)) = samples {
+                    let mut light = Vec::new();
+                    for frame in frames {
+                        let grid = if frame == number {
+                            engine.on_grid(lattice, &pool, &stopped)
+                        } else {
+                            source.engine(frame)?.on_grid(lattice, &pool, &stopped)
+                        };
+                        light.extend(grid?);
+                    }
+                    send(Part::Samples { light, width: lattice.grid().width() })?;
                 }
                 let trace = |first, levels: &mut [_]| engine.level_rows(first, light_max, levels);
                 let deliver = |first, levels| send(Part::Rows { size, first, levels });
                 bands::bands(size, &pool, &stopped, trace, deliver)?;
-                send(Part::Complete(began.elapsed()))
+                Ok(send(Part::Complete(began.elapsed()))?)
             };
-            // It ends early only if nobody waits for the rest.
-            let _ = work();
+            match work() {
+                // Nobody waits for the rest.
+                Err(error) if error.is_interruption() => {}
+                Err(error) => drop(sender.send(Part::Failed(Box::new(error)))),
+                Ok(()) => {}
+            }
         });
         Self { parts, stop }
     }

@@ -8,8 +8,10 @@ use std::time::Instant;
 
 use minifb::{MouseMode, ScaleMode, Window, WindowOptions};
 
-use crate::args::ShowArgs;
-use crate::commands::render::Work;
+use rta_scenes::shipped;
+
+use crate::args::{DrawingArgs, ShowArgs};
+use crate::commands::render::{Film, Work, tempo};
 use crate::commands::show::Show;
 use crate::commands::show::desktop::{self, Desktop};
 use crate::commands::show::keys::{Keyboard, Press};
@@ -19,9 +21,10 @@ use crate::commands::show::reload::Watch;
 use crate::engine::bands::BandsError;
 use crate::engine::interrupt;
 use crate::error::Error;
+use crate::picture::FileType;
 use crate::picture::error::PictureError;
 use crate::picture::frame::{Frame, Place};
-use crate::picture::output::{self, Inputs};
+use crate::picture::output::{self, Failure, Inputs};
 use crate::picture::raster::Size;
 use crate::request::Request;
 use crate::request::scene_file::SceneFile;
@@ -56,24 +59,51 @@ pub fn run(args: &ShowArgs) -> Result<(), Error> {
     let path = args.scene.as_deref();
     let reading = args.tracing.reading.into();
     let watch = path.map(|path| Watch::new(path, reading));
-    let scene = path.map_or_else(SceneFile::juggler, |path| SceneFile::open_as(path, reading))?;
+    let scene = match (path, args.film.frames) {
+        (Some(path), _) => SceneFile::open_as(path, reading)?,
+        (None, None) => SceneFile::juggler()?,
+        // The figure that stands still, juggling.
+        (None, Some(_)) => SceneFile::of_text("juggler", shipped::JUGGLING, reading)?,
+    };
     let request = Request::of_scene(&args.tracing, args.device, &scene)?;
     let (size, aspect) = request.raster()?;
     let stop = interrupt::watch();
     let reason = match open(size, aspect) {
         Ok(window) => {
-            let show = Show::new(scene, watch, request, args.tracing.threads)?;
+            let show = Show::new(scene, watch, (request, args.film), args.tracing.threads)?;
             return run_in(window, show, stop);
         }
         Err(reason) => reason,
     };
-    let work = Work::new(&request, &scene, args.tracing.threads, stop)?;
-    let mut content = Vec::new();
     let stem = format!("rta-{}-{}", scene.title, args.device);
-    let encoded = work.displayed()?.write_png(&request.caption(&scene), &mut content);
-    encoded.map_err(|source| PictureError::write(stem.as_ref(), source))?;
+    let (what, content) = match written(args, &request, &scene, stop) {
+        Ok(written) => written,
+        Err(Failure::Write(source)) => return Err(PictureError::write(stem.as_ref(), source).into()),
+        Err(Failure::Other(error)) => return Err(error),
+    };
     let name = output::write_new(&stem, &content)?;
-    say(&format!("rta: {reason}, so the picture is in ./{}", name.display()))
+    say(&format!("rta: {reason}, so the {what} is in ./{}", name.display()))
+}
+
+/// Returns the picture as a PNG, or the film as an animated one, and which of them it is.
+fn written(
+    args: &ShowArgs,
+    request: &Request,
+    scene: &SceneFile,
+    stop: &AtomicBool,
+) -> Result<(&'static str, Vec<u8>), Failure<Error>> {
+    let ShowArgs { device, film, tracing, .. } = args;
+    let (mut content, mut caption) = (Vec::new(), request.caption(scene));
+    let Some(frames) = film.frames else {
+        let work = Work::new(request, scene, tracing.threads, stop)?;
+        work.displayed()?.write_png(&caption, &mut content)?;
+        return Ok(("picture", content));
+    };
+    caption.settings += &tempo(frames, film.rate);
+    let (tracing, output) = (tracing.clone(), "-".into());
+    let args = &DrawingArgs { output, device: *device, file_type: None, quiet: false, film: *film, tracing };
+    Film { request, scene, args, frames }.write(FileType::Png, &caption, &mut content)?;
+    Ok(("film", content))
 }
 
 /// Opens a window for a picture of `size` pixels on a screen of shape `aspect`, or says why there is none.
@@ -203,7 +233,7 @@ struct Drawn {
 
 impl Drawn {
     /// Draws the window anew where that is due. A picture that fills in is drawn so often that three quarters of the time are left
-    /// to the threads that trace it; what the user asks for is drawn at once.
+    /// to the threads that trace it; what the user asks for and frames of a film that are there already are drawn at once.
     fn draw(&mut self, window: &mut Window, show: &mut Show, overlay: Overlay) -> Result<(), Error> {
         if self.title != show.title() {
             self.title = show.title();
@@ -212,7 +242,8 @@ impl Drawn {
         let (width, height) = window.get_size();
         let is_new = overlay != self.overlay || (width, height) != (self.frame.width, self.frame.height);
         let since = |at: Option<Instant>| at.map_or(Duration::MAX, |at| at.elapsed());
-        let is_due = is_new || (self.is_stale && since(self.at) > 3 * self.cost);
+        let pause = if show.film().is_tracing() { 3 * self.cost } else { Duration::ZERO };
+        let is_due = is_new || (self.is_stale && since(self.at) >= pause);
         if is_due {
             let begin = Instant::now();
             self.frame = overlay::draw(show, &overlay, width, height)?;
