@@ -1,4 +1,4 @@
-// A worker with a module of its own: it checks a scene, or draws one and explains its pixels.
+// A worker with a module of its own: it checks a scene, or draws one, as a picture or as the frames of a film, and explains its pixels.
 //
 // Messages in: { module } first; then { job, kind: 'check' | 'start', request } with the text that the module reads, or
 // { job, kind: 'explain', x, y }. Messages out: { choices } first; then { job } with one of checked, started, rows, done,
@@ -39,21 +39,28 @@ function later(job, act) {
   turn.port2.postMessage(null);
 }
 
-// Draws rows from `first` on for a while.
-function draw(job, { width, height }, first) {
+// Draws rows of a frame from `first` on for a while; a picture is a film of one frame.
+function draw(job, film, frame, first) {
+  const { width, height, frames } = film;
   const end = performance.now() + SLICE;
+  if (first === 0 && frame > 0) {
+    answered(module.frame(frame));
+  }
   const rows = [];
   do {
     answered(module.row(first + rows.length));
     rows.push(bytes());
   } while (first + rows.length < height && performance.now() < end);
-  const pixels = new Uint8ClampedArray(rows.length * width * 4);
-  rows.forEach((row, index) => pixels.set(row, index * width * 4));
+  const indices = new Uint8Array(rows.length * width);
+  rows.forEach((row, index) => indices.set(row, index * width));
   answered(module.colors());
   const colors = bytes();
-  postMessage({ job, rows: { first, pixels, colors } }, [pixels.buffer, colors.buffer]);
-  if (first + rows.length < height) {
-    later(job, () => draw(job, { width, height }, first + rows.length));
+  postMessage({ job, rows: { frame, first, indices, colors } }, [indices.buffer, colors.buffer]);
+  const next = first + rows.length;
+  if (next < height) {
+    later(job, () => draw(job, film, frame, next));
+  } else if (frame + 1 < frames) {
+    later(job, () => draw(job, film, frame + 1, 0));
   } else {
     postMessage({ job, done: true });
   }
@@ -78,7 +85,7 @@ const kinds = {
     next = () => {};
     const started = ask('start', request);
     postMessage({ job, started });
-    later(job, () => draw(job, started, 0));
+    later(job, () => draw(job, started, 0, 0));
   },
   explain({ job, x, y }) {
     answered(module.explain(x, y));

@@ -2,8 +2,9 @@
 //!
 //! Everything goes through two buffers in the module's memory. The page asks for room with [`alloc`], writes a request there and
 //! calls [`check`] or [`start`]; each answer lies at [`output`], [`output_len`] bytes long. A request is a line of settings and the
-//! scene's text: `vga 1 q16 auto 5 sampled none`, the display, by how much its raster is divided, number format, illumination model, depth,
-//! colour table and dithering, of which model, depth and dithering may be `auto`; [`choices`] lists them.
+//! scene's text: `vga 1 q16 auto 5 sampled none instant 0`, the display, by how much its raster is divided, number format, illumination
+//! model, depth, colour table, dithering and the instant, of which model, depth and dithering may be `auto`; [`choices`] lists them. A request that
+//! ends in `frames 24` asks for a film, whose frames [`frame`] begins one after the other.
 //!
 //! Functions that can fail return 0, or 1 for an error; then the answer is the error as JSON: `line` and `column` in the scene, or null, and
 //! `message`. Nothing panics, whatever the page asks in whatever order.
@@ -74,7 +75,8 @@ pub extern "C" fn alloc(len: usize) -> *mut u8 {
 }
 
 /// Reads the scene of the request and proves that it fits the number format, without drawing it. The answer is what there is to
-/// say about it, as JSON: `width` and `height` of the picture, `model`, `depth`, and `warnings`, each with `line` and `message`.
+/// say about it, as JSON: `width` and `height` of the picture, `model`, `depth`, whether anything `moves`, the number of `frames`, 1 where
+/// nothing does, and `warnings`, each with `line` and `message`. Of a film all frames are proved to fit.
 #[unsafe(no_mangle)]
 #[allow(unsafe_code, reason = "as above")]
 pub extern "C" fn check() -> u32 {
@@ -84,8 +86,8 @@ pub extern "C" fn check() -> u32 {
     })
 }
 
-/// Starts the picture of the request: reads the scene, makes the colour table and switches the display on. The picture that was
-/// there before is kept if that fails. The answer is that of [`check`].
+/// Starts the picture of the request, or the first frame of its film: reads the scene, makes the colour table and switches the display on.
+/// The picture that was there before is kept if that fails. The answer is that of [`check`].
 #[unsafe(no_mangle)]
 #[allow(unsafe_code, reason = "as above")]
 pub extern "C" fn start() -> u32 {
@@ -98,8 +100,16 @@ pub extern "C" fn start() -> u32 {
     })
 }
 
-/// Traces row `y` and draws it. The rows are to be drawn in order, from 0. The answer is the row as the display shows it: red,
-/// green, blue and 255, 8 bits each, for each pixel.
+/// Starts frame `number` of the film that was started, from 0, with a colour table of its own, in the place of the one before, which is kept
+/// if that fails. The answer is empty.
+#[unsafe(no_mangle)]
+#[allow(unsafe_code, reason = "as above")]
+pub extern "C" fn frame(number: u32) -> u32 {
+    with(|module| module.ask(|session| session.frame(number).map(|()| Vec::new())))
+}
+
+/// Traces row `y` and draws it. The rows are to be drawn in order, from 0. The answer is the row as it lies in the display's memory: for each
+/// pixel a byte, its entry of the colour table.
 #[unsafe(no_mangle)]
 #[allow(unsafe_code, reason = "as above")]
 pub extern "C" fn row(y: u32) -> u32 {
@@ -148,7 +158,7 @@ pub extern "C" fn output_len() -> usize {
 mod tests {
     use rta_scenes::shipped;
 
-    use super::{alloc, check, choices, colors, explain, output_len, row, start, with};
+    use super::{alloc, check, choices, colors, explain, frame, output_len, row, start, with};
 
     fn ask(text: &str, call: extern "C" fn() -> u32) -> u32 {
         alloc(text.len());
@@ -162,7 +172,7 @@ mod tests {
 
     #[test]
     fn whatever_is_called_in_whatever_order_is_answered() {
-        for status in [row(0), colors(), explain(0, 0), start(), check()] {
+        for status in [row(0), frame(0), colors(), explain(0, 0), start(), check()] {
             assert_eq!(status, 1);
         }
         assert_eq!(
@@ -171,13 +181,14 @@ mod tests {
         );
         assert_eq!(choices(), 0);
         assert!(answer().contains(r#"{"name":"q16","about":"Fixed point"#));
-        let request = |scene| format!("vga 8 q16 auto auto uniform none\n{scene}");
+        let request = |scene| format!("vga 8 q16 auto auto uniform none instant 0\n{scene}");
         assert_eq!(ask(&request(shipped::JUGGLER), start), 0);
-        assert_eq!((row(0), output_len()), (0, 160));
+        assert_eq!((row(0), output_len()), (0, 40));
         // What fails does not touch the picture.
         assert_eq!(ask(&request("1 2 x"), start), 1);
         assert_eq!((row(24), row(25), row(u32::MAX)), (0, 1, 1));
         assert_eq!((explain(39, 24), explain(40, 24), explain(u32::MAX, u32::MAX)), (0, 1, 1));
+        assert_eq!((frame(1), frame(0), row(0)), (1, 0, 0));
         assert_eq!((ask("\u{fffd}", check), colors()), (1, 0));
         assert_eq!(output_len(), 3 * 252); // 6 x 7 x 6 levels
     }
