@@ -17,10 +17,14 @@ const module = await WebAssembly.compileStreaming(fetch('rta.wasm')).catch((erro
   throw error;
 });
 
+// The picture files that the page was given, by name, as one worker has decoded them for all.
+const pictures = new Map();
+
 function worker(hear) {
   const made = new Worker('worker.js');
   made.onmessage = ({ data }) => hear(data);
   made.postMessage({ module });
+  pictures.forEach((contents, name) => made.postMessage({ kind: 'picture', name, contents }));
   return made;
 }
 
@@ -290,16 +294,27 @@ function look() {
   checker.postMessage({ job: 0, kind: 'check', request: requests[0] });
 }
 
-function checked({ checked: fine, failed, choices }) {
+function checked({ job, checked: fine, failed, choices, kept }) {
   if (choices !== undefined) {
-    offer(choices);
+    // A checker that takes the place of another has nothing to offer that is new.
+    if (displays.length === 0) {
+      offer(choices);
+    }
+    return;
+  }
+  if (failed?.ended) {
+    checker.terminate();
+    checker = worker(checked);
+  }
+  if (kept !== undefined || (failed && job !== 0)) {
+    given(job, kept, failed);
+    if (failed?.ended && checking) {
+      checking = false;
+      look();
+    }
     return;
   }
   checking = false;
-  if (failed?.ended) {
-    checker.terminate();
-    checker = worker(checkedAgain);
-  }
   if (again) {
     look();
     return;
@@ -337,11 +352,41 @@ function play(now) {
   requestAnimationFrame(play);
 }
 
-// A checker that takes the place of another has nothing to offer that is new.
-function checkedAgain(data) {
-  if (data.choices === undefined) {
-    checked(data);
+// Files: pictures that the scene names, and scenes.
+
+const SCENE = /\.(rta|dat|nff|p3f)$/i;
+
+// Has each picture decoded, and takes the last scene for the text. The job of a picture is its name.
+async function take(files) {
+  $('given').replaceChildren([...pictures.keys()].join(', '));
+  for (const file of files) {
+    if (SCENE.test(file.name)) {
+      $('text').value = await file.text();
+      $('text').scrollTop = 0;
+      edited();
+    } else {
+      const contents = new Uint8Array(await file.arrayBuffer());
+      checker.postMessage({ job: file.name, kind: 'picture', name: file.name, contents }, [contents.buffer]);
+    }
   }
+}
+
+// Hears of a picture: one that a worker has taken because the page has it already, one that is new, or one that failed.
+function given(name, kept, failed) {
+  if (name === undefined) {
+    return;
+  }
+  if (failed) {
+    const message = failed.ended ? `the picture ${name} is broken: ${failed.message}` : failed.message;
+    $('given').append(' ', element('span', { className: 'error', textContent: message }));
+    return;
+  }
+  const { contents } = kept;
+  pictures.set(name, contents);
+  displays.forEach((display) => display.worker?.postMessage({ kind: 'picture', name, contents }));
+  const errors = [...$('given').children].flatMap((error) => [' ', error]);
+  $('given').replaceChildren([...pictures.keys()].join(', '), ...errors);
+  look();
 }
 
 // The link: the settings, and the name of a shipped scene or a text, deflated.
@@ -472,6 +517,16 @@ function offer(choices) {
       $('text').scrollTop = 0;
       edited();
     }
+  };
+  $('files').onchange = async () => {
+    await take([...$('files').files]);
+    // So that the same file can be chosen again when it has changed.
+    $('files').value = '';
+  };
+  ondragover = (event) => event.preventDefault();
+  ondrop = (event) => {
+    event.preventDefault();
+    take([...event.dataTransfer.files]);
   };
   $('text').oninput = () => {
     number();

@@ -14,6 +14,7 @@ mod explain;
 mod failure;
 mod json;
 mod picture;
+mod pictures;
 mod request;
 mod screen;
 mod search;
@@ -22,6 +23,7 @@ mod session;
 use core::cell::RefCell;
 
 use failure::Failure;
+use pictures::Pictures;
 use session::Session;
 
 std::thread_local! {
@@ -29,16 +31,17 @@ std::thread_local! {
     static MODULE: RefCell<Module> = const { RefCell::new(Module::new()) };
 }
 
-/// The two buffers and the picture.
+/// The two buffers, the picture, and the picture files that scenes may name.
 struct Module {
     input: Vec<u8>,
     output: Vec<u8>,
+    pictures: Pictures,
     session: Option<Session>,
 }
 
 impl Module {
     const fn new() -> Self {
-        Self { input: Vec::new(), output: Vec::new(), session: None }
+        Self { input: Vec::new(), output: Vec::new(), pictures: Pictures::new(), session: None }
     }
 
     /// Keeps an answer for the page. Returns 0, or 1 for an error.
@@ -63,7 +66,7 @@ fn with<R>(act: impl FnOnce(&mut Module) -> R) -> R {
     MODULE.with_borrow_mut(act)
 }
 
-/// Makes room for a request of `len` bytes and returns its address. It holds for the next call of [`check`] or [`start`].
+/// Makes room for a request of `len` bytes and returns its address. It holds for the next call of [`picture_file`], [`check`] or [`start`].
 #[unsafe(no_mangle)]
 #[allow(unsafe_code, reason = "the name is exported; no other function of the module has it")]
 pub extern "C" fn alloc(len: usize) -> *mut u8 {
@@ -74,6 +77,17 @@ pub extern "C" fn alloc(len: usize) -> *mut u8 {
     })
 }
 
+/// Takes a picture file, for scenes that name it: a line with its name, without folders, and its contents. The answer is the picture as it
+/// is kept, smaller if it was large, as a PPM file, of which other instances of the module can take it sooner.
+#[unsafe(no_mangle)]
+#[allow(unsafe_code, reason = "as above")]
+pub extern "C" fn picture_file() -> u32 {
+    with(|module| {
+        let answer = module.pictures.take(&module.input);
+        module.answer(answer)
+    })
+}
+
 /// Reads the scene of the request and proves that it fits the number format, without drawing it. The answer is what there is to
 /// say about it, as JSON: `width` and `height` of the picture, `model`, `depth`, whether anything `moves`, the number of `frames`, 1 where
 /// nothing does, and `warnings`, each with `line` and `message`. Of a film all frames are proved to fit.
@@ -81,7 +95,7 @@ pub extern "C" fn alloc(len: usize) -> *mut u8 {
 #[allow(unsafe_code, reason = "as above")]
 pub extern "C" fn check() -> u32 {
     with(|module| {
-        let answer = session::check(&module.input);
+        let answer = session::check(&module.input, &module.pictures);
         module.answer(answer.map(String::into_bytes))
     })
 }
@@ -92,7 +106,7 @@ pub extern "C" fn check() -> u32 {
 #[allow(unsafe_code, reason = "as above")]
 pub extern "C" fn start() -> u32 {
     with(|module| {
-        let answer = Session::start(&module.input).map(|(session, summary)| {
+        let answer = Session::start(&module.input, &module.pictures).map(|(session, summary)| {
             module.session = Some(session);
             summary.into_bytes()
         });
@@ -158,7 +172,7 @@ pub extern "C" fn output_len() -> usize {
 mod tests {
     use rta_scenes::shipped;
 
-    use super::{alloc, check, choices, colors, explain, frame, output_len, row, start, with};
+    use super::{alloc, check, choices, colors, explain, frame, output_len, picture_file, row, start, with};
 
     fn ask(text: &str, call: extern "C" fn() -> u32) -> u32 {
         alloc(text.len());
@@ -172,7 +186,7 @@ mod tests {
 
     #[test]
     fn whatever_is_called_in_whatever_order_is_answered() {
-        for status in [row(0), frame(0), colors(), explain(0, 0), start(), check()] {
+        for status in [row(0), frame(0), colors(), explain(0, 0), picture_file(), start(), check()] {
             assert_eq!(status, 1);
         }
         assert_eq!(

@@ -9,6 +9,7 @@ use rta_scenes::description::Description;
 use crate::failure::Failure;
 use crate::json;
 use crate::picture::{self, Picture, Setup};
+use crate::pictures::Pictures;
 use crate::request::{Request, Time};
 use crate::screen::Screen;
 
@@ -31,14 +32,10 @@ struct Shown {
 /// What the scene is called: a name that leaves it to the text which of the languages it is.
 const NAME: &str = "scene";
 
-/// Reads the scene of a request.
-fn read(request: &Request, text: &[u8]) -> Result<(Description, Setup), Failure> {
+/// Reads the scene of a request and gives it the pictures that it names.
+fn read(request: &Request, text: &[u8], pictures: &Pictures) -> Result<(Description, Setup), Failure> {
     let mut scene = rta_scenes::read(text, NAME)?;
-    // There are no files beside the scene, so this tells the first picture that it names.
-    scene.load_pictures("".as_ref(), 1).map_err(|error| Failure {
-        line: Some(error.line).filter(|line| *line > 0),
-        ..Failure::plain("a page has no picture files; a scene that names one is drawn by the program")
-    })?;
+    pictures.give(&mut scene)?;
     let setup = Setup::new(request, &scene)?;
     Ok((scene, setup))
 }
@@ -77,9 +74,9 @@ fn in_frame<T>(
 ///
 /// # Errors
 /// [`Failure`] with the place in the text.
-pub(crate) fn check(request: &[u8]) -> Result<String, Failure> {
+pub(crate) fn check(request: &[u8], pictures: &Pictures) -> Result<String, Failure> {
     let (request, text) = Request::parse(request)?;
-    let (scene, setup) = read(&request, text)?;
+    let (scene, setup) = read(&request, text, pictures)?;
     for number in 0..frames(&request, &scene) {
         in_frame(&request, &scene, number, |scene| picture::admit(&request, scene, setup))?;
     }
@@ -129,9 +126,9 @@ impl Session {
     ///
     /// # Errors
     /// [`Failure`], with the place in the scene's text where there is one.
-    pub(crate) fn start(request: &[u8]) -> Result<(Self, String), Failure> {
+    pub(crate) fn start(request: &[u8], pictures: &Pictures) -> Result<(Self, String), Failure> {
         let (request, text) = Request::parse(request)?;
-        let (scene, setup) = read(&request, text)?;
+        let (scene, setup) = read(&request, text, pictures)?;
         let shown = in_frame(&request, &scene, 0, |scene| Shown::new(&request, scene, setup))?;
         let summary = summary(&request, &scene, setup);
         Ok((Self { request, scene, setup, shown }, summary))
@@ -196,6 +193,9 @@ mod tests {
     use rta_scenes::shipped;
 
     use super::{Session, check};
+    use crate::pictures::Pictures;
+
+    const NONE: Pictures = Pictures::new();
 
     fn request(settings: &str, scene: &str) -> Vec<u8> {
         format!("{settings}\n{scene}").into_bytes()
@@ -206,8 +206,8 @@ mod tests {
         for (device, width, height) in [("vga", 40, 25), ("graphigs", 128, 128), ("pixrect", 144, 112)] {
             let request =
                 request(&format!("{device} 8 q16 auto auto sampled auto instant 0"), shipped::GLASS_2);
-            let (mut session, summary) = Session::start(&request).expect("a picture");
-            assert_eq!(check(&request).as_ref(), Ok(&summary));
+            let (mut session, summary) = Session::start(&request, &NONE).expect("a picture");
+            assert_eq!(check(&request, &NONE).as_ref(), Ok(&summary));
             assert!(
                 summary.starts_with(&format!("{{\"width\":{width},\"height\":{height},\"model\":\"rta\""))
             );
@@ -237,7 +237,7 @@ mod tests {
             (rows.collect(), session.colors().expect("a colour table"))
         };
         let start = |time: &str, scene: &str| {
-            Session::start(&request(&format!("vga 8 q16 auto auto sampled auto {time}"), scene))
+            Session::start(&request(&format!("vga 8 q16 auto auto sampled auto {time}"), scene), &NONE)
         };
         let (mut film, summary) = start("frames 5", shipped::JUGGLING).expect("a film");
         assert!(summary.contains(r#""moves":true,"frames":5,"#), "{summary}");
@@ -260,7 +260,7 @@ mod tests {
         let flight = "rta 1\npath flight at 0 0 0 0 at 1 0 0 200000\ncamera at 0 -8 2 look 0 1 0\n\
             sphere at 0 0 1 radius 1 color 1 1 1 along flight\n";
         let failure =
-            check(&request("vga 8 q16 auto auto sampled auto frames 4", flight)).expect_err("too far");
+            check(&request("vga 8 q16 auto auto sampled auto frames 4", flight), &NONE).expect_err("too far");
         assert_eq!(failure.line, Some(4));
         assert!(failure.message.starts_with("frame 1, the instant 0.25: sphere 1"), "{failure}");
         assert!(start("instant 0", flight).is_ok() && start("instant 0.25", flight).is_err());
@@ -269,19 +269,16 @@ mod tests {
     #[test]
     fn errors_have_their_place() {
         let place = |scene: &str| {
-            let failure =
-                check(&request("vga 1 q16 auto auto sampled auto instant 0", scene)).expect_err("no scene");
+            let failure = check(&request("vga 1 q16 auto auto sampled auto instant 0", scene), &NONE)
+                .expect_err("no scene");
             (failure.line, failure.column)
         };
         assert_eq!(place("0 -7 2.3\n0 1 zero"), (Some(2), Some(5)));
         assert_eq!(place(""), (Some(1), Some(1)));
         let far = shipped::GLASS_2.replace("-1.7 3.2 0.9 ", "-1.7 90000 0.9 ");
         assert_eq!(place(&far), (Some(9), None));
-        // Readers of pictures are not part of the module.
+        // Pictures are asked for in the line that names them.
         let textured = "rta 1\ncamera at 0 -8 2  look 0 1 0\ntexture globe image \"globe.png\"\n";
-        let failure =
-            check(&request("vga 1 q16 auto auto sampled auto instant 0", textured)).expect_err("no picture");
-        assert_eq!(failure.line, Some(3));
-        assert!(failure.message.starts_with("a page has no picture files"), "{failure}");
+        assert_eq!(place(textured), (Some(3), None));
     }
 }
