@@ -53,7 +53,7 @@ impl Pictures {
             let mut names: Vec<_> = missing.iter().map(|(file, _)| *file).collect();
             names.sort_unstable();
             names.dedup();
-            let message = format!("the scene's pictures are to be given to the page: {}", names.join(", "));
+            let message = format!("no picture {}: choose the files, or drop them on the page", names.join(", "));
             return Err(Failure { line: Some(*line).filter(|line| *line > 0), ..Failure::plain(message) });
         }
         let had = scene.take_pictures(|file| self.find(file).cloned().ok_or_else(|| "it is missing".into()));
@@ -85,7 +85,7 @@ mod tests {
         let mut pictures = Pictures::new();
         let failure = pictures.give(&mut scene()).expect_err("none is there");
         assert_eq!(failure.line, Some(4));
-        assert!(failure.message.ends_with(": globe.png, sky/evening.png"), "{failure}");
+        assert!(failure.message.starts_with("no picture globe.png, sky/evening.png: "), "{failure}");
         let [(evening, contents), (globe, other)] = shipped::PICTURES;
         let ppm = pictures.take(&file(globe, other)).expect("a picture");
         assert!(pictures.give(&mut scene()).is_err_and(|failure| failure.line.is_none()));
