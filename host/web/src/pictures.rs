@@ -53,7 +53,8 @@ impl Pictures {
             let mut names: Vec<_> = missing.iter().map(|(file, _)| *file).collect();
             names.sort_unstable();
             names.dedup();
-            let message = format!("no picture {}: choose the files, or drop them on the page", names.join(", "));
+            let message =
+                format!("no picture {}: choose the files, or drop them on the page", names.join(", "));
             return Err(Failure { line: Some(*line).filter(|line| *line > 0), ..Failure::plain(message) });
         }
         let had = scene.take_pictures(|file| self.find(file).cloned().ok_or_else(|| "it is missing".into()));
