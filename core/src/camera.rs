@@ -1,6 +1,7 @@
-//! The pinhole camera.
+//! The pinhole camera, and what a lens adds to it.
 
-use crate::scalar::vector::{UnitVec3, UnitVector, Vec3};
+use crate::ray::Start;
+use crate::scalar::vector::{LengthVector, UnitVec3, UnitVector, Vec3};
 use crate::scalar::{Scalar, Unit};
 
 /// Focal distance and size of the image plane. Only the ratios of the three numbers matter; the largest is 1.
@@ -64,8 +65,44 @@ impl<S: Scalar> Camera<S> {
     /// Returns the unit direction of the ray through a place of the image plane: `x` from -1/2 at the left edge to 1/2 at the
     /// right, `y` from -1/2 at the bottom to 1/2 at the top.
     pub fn direction(&self, x: S::Unit, y: S::Unit) -> UnitVec3<S> {
-        let place = self.forward.plus(self.right, x).plus(self.up, y);
         // The image plane does not go through the eye, so the way to it is never 0.
-        place.normalize().map_or(self.forward, |(direction, _)| direction)
+        self.place(x, y).normalize().map_or(self.forward, |(direction, _)| direction)
     }
+
+    /// Returns the way from the eye to a place of the image plane.
+    fn place(&self, x: S::Unit, y: S::Unit) -> UnitVec3<S> {
+        self.forward.plus(self.right, x).plus(self.up, y)
+    }
+
+    /// Returns the ray through a place of the image plane from a spot of a lens, for a spot on the unit disc. All rays of one place
+    /// meet where the ray through the lens's middle meets the plane that is sharp (Cook, Porter and Carpenter, SIGGRAPH 84).
+    pub fn through(
+        &self,
+        aperture: &Aperture<S>,
+        (x, y): (S::Unit, S::Unit),
+        spot: [S::Unit; 2],
+    ) -> Start<S> {
+        let [right, up] = spot;
+        let [eastward, upward] = aperture.axes;
+        let [shift_right, shift_up] = spot.map(|c| -c.times(aperture.shift));
+        let way = self.place(x, y).plus(eastward, shift_right).plus(upward, shift_up);
+        let origin =
+            self.eye.along(eastward, aperture.radius.scale(right)).along(upward, aperture.radius.scale(up));
+        Start { origin, direction: way.normalize().map_or(self.forward, |(direction, _)| direction) }
+    }
+}
+
+/// A lens: a disc around the eye, parallel to the image plane.
+///
+/// A point at the depth z is seen as a disc of the radius `a f |z - z_f| / (z z_f)` on the image plane, for the radius a of the lens, the
+/// focal distance f and the depth z_f that is sharp.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Aperture<S: Scalar> {
+    /// Its radius a, 0 or more.
+    pub radius: S,
+    /// `a f / z_f`, in the unit of the camera's vectors, below 1: how far the way to a place of the image plane is shifted from the rim of the
+    /// lens.
+    pub shift: S::Unit,
+    /// Unit vectors to the right and up.
+    pub axes: [UnitVec3<S>; 2],
 }

@@ -1,5 +1,7 @@
 //! Lamps, and a lamp as seen from a point.
 
+pub mod area;
+
 use crate::color::Rgb;
 use crate::needs::Needs;
 use crate::scalar::vector::{LengthVector, UnitVec3, UnitVector, Vec3};

@@ -21,76 +21,22 @@
 //!
 //! All other intermediate results are differences, rounded products or roots of these; 64-bit sums have their own row.
 
-use core::ops::Deref;
-
 use crate::accelerator::{Accelerator, Lists};
-use crate::camera::Camera;
+use crate::camera::{Aperture, Camera};
 use crate::color::Rgb;
 use crate::error::Error;
 use crate::material::{Finish, Material};
-use crate::needs::Needs;
 pub use crate::quantity::{Bound, Cause, Quantity};
-use crate::ray::Ray;
 use crate::scalar::vector::{UnitVec3, Vec3, Vector};
 use crate::scalar::{Light, Magnitude, Number, Scalar, Unit};
-use crate::scene::{Hit, Limits, Object, PLAIN, Scene};
+use crate::scene::{Limits, Object, PLAIN, Scene};
 use crate::texture::Texture;
-use crate::world::World;
 
+mod admitted;
 mod extent;
 
+pub use admitted::Admitted;
 use extent::Extent;
-
-/// A scene that was proved to fit its number format for one eye, and its accelerator.
-#[derive(Clone, Copy, Debug)]
-pub struct Admitted<'a, S: Scalar, A = Lists> {
-    world: World<'a, S>,
-    accelerator: A,
-}
-
-impl<'a, S: Scalar, A> Admitted<'a, S, A> {
-    /// Returns a scene as admitted without a proof. Nothing checks that a proof was ever made, so this is for generated code,
-    /// whose scene was admitted when it was generated, and for owners of an admitted scene. Everybody else calls
-    /// [`Scene::admit`].
-    pub const fn baked(scene: Scene<'a, S>, limits: Limits<S>, accelerator: A) -> Self {
-        Self { world: World { scene, limits }, accelerator }
-    }
-
-    /// Returns the scene with other materials, at another wavelength: they differ in nothing that the proof of the scene is about, as
-    /// an index of refraction enters no bound of it.
-    pub const fn with_materials(&self, materials: &'a [Material<S>]) -> Self
-    where
-        A: Copy,
-    {
-        let world = World { scene: Scene { materials, ..self.world.scene }, limits: self.world.limits };
-        Self { world, accelerator: self.accelerator }
-    }
-
-    /// Returns the accelerator.
-    pub const fn accelerator(&self) -> &A {
-        &self.accelerator
-    }
-}
-
-impl<S: Scalar, A: Accelerator<S>> Admitted<'_, S, A> {
-    /// Returns the nearest hit of a single ray: see [`Accelerator::closest`].
-    pub fn closest<N: Needs>(&self, ray: &Ray<S>) -> Option<Hit<S>> {
-        self.accelerator.closest::<N>(&self.world, ray, &mut A::Memory::default())
-    }
-
-    /// Returns the part, 0 to 1, of the light of lamp number `lamp` that passes along a single shadow ray of length `t_max`: see
-    /// [`Accelerator::transmittance`].
-    pub fn transmittance<N: Needs>(&self, ray: &Ray<S>, t_max: S, lamp: usize) -> S::Unit {
-        self.accelerator.transmittance::<N>(&self.world, ray, t_max, lamp, &mut A::Memory::default())
-    }
-}
-
-impl<'a, S: Scalar, A> Deref for Admitted<'a, S, A> {
-    type Target = World<'a, S>;
-    fn deref(&self) -> &Self::Target {
-        &self.world
-    }
-}
 
 /// The largest of many sizes, and the object that has it.
 #[derive(Clone, Copy)]
@@ -148,6 +94,19 @@ impl<'a, S: Scalar> Scene<'a, S> {
         self.admit_with(camera, Lists)
     }
 
+    /// Proves that no ray of this scene from a lens around this eye leaves the number format, as [`Scene::admit_with`] does for a
+    /// pinhole.
+    ///
+    /// # Errors
+    /// Those of [`Scene::admit_with`].
+    pub fn admit_lens<A: Accelerator<S>>(
+        self,
+        (camera, aperture): (&Camera<S>, &Aperture<S>),
+        accelerator: A,
+    ) -> Result<Admitted<'a, S, A>, Error> {
+        self.admit_from(camera, Some(aperture), accelerator)
+    }
+
     /// Proves that no ray of this scene from this eye leaves the number format, and returns the scene with its accelerator.
     ///
     /// # Errors
@@ -157,7 +116,16 @@ impl<'a, S: Scalar> Scene<'a, S> {
         camera: &Camera<S>,
         accelerator: A,
     ) -> Result<Admitted<'a, S, A>, Error> {
-        let proof = self.prove(camera, &accelerator);
+        self.admit_from(camera, None, accelerator)
+    }
+
+    fn admit_from<A: Accelerator<S>>(
+        self,
+        camera: &Camera<S>,
+        aperture: Option<&Aperture<S>>,
+        accelerator: A,
+    ) -> Result<Admitted<'a, S, A>, Error> {
+        let proof = self.prove_from(camera, aperture, &accelerator);
         if let Some(error) = proof.refused {
             return Err(error);
         }
@@ -244,9 +212,19 @@ impl<'a, S: Scalar> Scene<'a, S> {
 
     /// Returns the proof, whether its rows hold or not, for a scene that is searched by `accelerator`.
     pub fn prove(&self, camera: &Camera<S>, accelerator: &impl Accelerator<S>) -> Proof<S> {
+        self.prove_from(camera, None, accelerator)
+    }
+
+    fn prove_from(
+        &self,
+        camera: &Camera<S>,
+        aperture: Option<&Aperture<S>>,
+        accelerator: &impl Accelerator<S>,
+    ) -> Proof<S> {
+        let (reach, shift) = aperture.map_or((S::ZERO, S::Unit::ZERO), |lens| (lens.radius, lens.shift));
         let largest = S::FAR.size();
         let most = largest.minus(largest.shift(-2)); // three quarters, so that the floor has a quarter at least
-        let extent = Extent::of(self, camera, accelerator);
+        let extent = Extent::of(self, (camera.eye, reach), accelerator);
         let cylinder_end = extent.cylinder_end(!self.cylinders.is_empty(), most);
         let (coordinate, distance) = extent.bounds(cylinder_end);
         // A little less than the room that is left, as sums of sizes are rounded up.
@@ -296,7 +274,7 @@ impl<'a, S: Scalar> Scene<'a, S> {
         }
         let plane = |part: fn(UnitVec3<S>) -> S::Unit| {
             let half = |v| part(v).size().shift(-1);
-            part(camera.forward).size().plus(half(camera.right)).plus(half(camera.up))
+            part(camera.forward).size().plus(half(camera.right)).plus(half(camera.up)).plus(shift.size())
         };
         let image = plane(Vector::x).max(plane(Vector::y)).max(plane(Vector::z));
 

@@ -12,6 +12,7 @@ use crate::camera::Camera;
 use crate::color::Rgb;
 use crate::error::Error;
 use crate::scalar::Scalar;
+use crate::trace::dice::Sample;
 use crate::trace::{Observer, Trace};
 
 /// Width and height in pixels, each 1 to 65535.
@@ -107,7 +108,7 @@ impl<'a, S: Scalar, T: Trace<S>, P: Places> Pixels<'a, S, T, P> {
         if self.y >= self.end {
             return None;
         }
-        let light = self.pixel(tracer, camera, self.row, self.x, observer);
+        let light = self.pixel(tracer, camera, self.row, (self.x, self.y), observer);
         self.x += 1;
         if self.x == self.raster.width {
             self.x = 0;
@@ -125,20 +126,21 @@ impl<'a, S: Scalar, T: Trace<S>, P: Places> Pixels<'a, S, T, P> {
         }
     }
 
-    /// Returns the radiance of the pixel in column `x` of the row that `row` belongs to.
+    /// Returns the radiance of the pixel in column `x` of row `y`, to which `row` belongs.
     #[cfg_attr(not(target_os = "none"), inline(always))]
     fn pixel<O: Observer<S> + ?Sized>(
         &mut self,
         tracer: &T,
         camera: &Camera<S>,
         row: P::Row<S::Unit>,
-        x: u32,
+        (x, y): (u32, u32),
         observer: &mut O,
     ) -> Rgb<S::Light> {
         let mut sum = Rgb::BLACK;
         for sample in 0..self.places.samples() {
-            let (right, up) = self.places.place(self.raster, row, x, sample);
-            let light = tracer.trace(camera.eye, camera.direction(right, up), &mut self.memory, observer);
+            let place = self.places.place(self.raster, row, x, sample);
+            let own = Sample { x, y, number: sample };
+            let light = tracer.sample(camera, place, own, &mut self.memory, observer);
             sum = self.places.add(sum, light);
         }
         self.places.mean(sum)
@@ -189,9 +191,10 @@ impl<S: Scalar, T: Trace<S>, P: Places> DoubleEndedIterator for Pixels<'_, S, T,
         if self.y >= self.end {
             return None;
         }
-        let row = self.places.row(self.raster, self.end - 1);
+        let y = self.end - 1;
+        let row = self.places.row(self.raster, y);
         self.right -= 1;
-        let light = self.pixel(self.tracer, self.camera, row, self.right, &mut ());
+        let light = self.pixel(self.tracer, self.camera, row, (self.right, y), &mut ());
         if self.right == 0 {
             self.right = self.raster.width;
             self.end -= 1;

@@ -1,4 +1,11 @@
-//! Several samples a pixel, on a regular or jittered grid, whose light is averaged.
+//! Several samples a pixel, on a regular or jittered grid or by a sequence, whose light is averaged; and the numbers that rays are spread by.
+
+pub mod mapping;
+pub mod pairs;
+mod sobol;
+
+use pairs::hash;
+pub use sobol::Sobol;
 
 use crate::color::Rgb;
 use crate::raster::Raster;
@@ -88,18 +95,4 @@ impl Places for Sampling {
         let share = L::Unit::ratio(1, i64::from(self.samples()));
         sum.map(|light| light.times(share))
     }
-}
-
-/// Returns a hash of four words: `pcg4d` of M. Jarzynski and M. Olano, "Hash Functions for GPU
-/// Rendering", JCGT 9(3), 2020.
-fn hash(words: [u32; 4]) -> [u32; 4] {
-    let mix = |[mut x, mut y, mut z, mut w]: [u32; 4]| {
-        x = x.wrapping_add(y.wrapping_mul(w));
-        y = y.wrapping_add(z.wrapping_mul(x));
-        z = z.wrapping_add(x.wrapping_mul(y));
-        w = w.wrapping_add(y.wrapping_mul(z));
-        [x, y, z, w]
-    };
-    let words = words.map(|word| word.wrapping_mul(1_664_525).wrapping_add(1_013_904_223));
-    mix(mix(words).map(|word| word ^ (word >> 16)))
 }

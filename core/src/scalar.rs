@@ -155,6 +155,8 @@ pub trait Unit: Number + PartialOrd + Add<Output = Self> + Sub<Output = Self> + 
     fn fraction(numerator: i32, denominator: u32) -> Self;
     /// Returns `level / 65535`, for a level of up to 65535 in size.
     fn of_level(level: i32) -> Self;
+    /// Returns `word / 2^32`, cut to the bits that the format has behind the point (24 in `f32`), so that it is below 1.
+    fn of_word(word: u32) -> Self;
     /// Returns the angle from the x axis to a direction in the plane, towards y, in turns: above -1/2, at most 1/2; 0 for no direction.
     /// Within 5e-8 in fixed point.
     fn turn(x: Self, y: Self) -> Self;

@@ -8,6 +8,9 @@
 
 mod aspects;
 pub mod decision;
+pub mod dice;
+mod distributed;
+mod lamps;
 mod observer;
 mod spawn;
 mod spectrum;
@@ -17,10 +20,14 @@ use core::marker::PhantomData;
 use heapless::Vec;
 
 use decision::{Branch, Start, ambient, casts_shadow_ray, direct};
+use dice::{Dice, Sample, Still};
+pub use distributed::Distributed;
+use lamps::has_size;
 pub use observer::Observer;
 pub use spectrum::Spectrum;
 
 use crate::accelerator::{Accelerator, Lists};
+use crate::camera::Camera;
 use crate::color::Rgb;
 use crate::error::Error;
 use crate::illumination::{Illumination, Passage, Way, Weight};
@@ -58,7 +65,10 @@ pub struct Pending<S: Scalar, W> {
 /// The stack of rays that are still to be traced.
 pub type Stack<S, W, const STACK: usize> = Vec<Pending<S, W>, STACK>;
 
-/// What returns the light of a ray from the eye: a [`Tracer`], or the [`Spectrum`] of several.
+/// The rays that are still to be traced, each with its node in the tree.
+type Waiting<S, W, T, const STACK: usize> = Vec<(Pending<S, W>, T), STACK>;
+
+/// What returns the light of a ray from the eye: a [`Tracer`], the [`Spectrum`] of several, or one that is [`Distributed`].
 pub trait Trace<S: Scalar> {
     /// What its accelerator keeps from ray to ray: [`Accelerator::Memory`].
     type Memory: Default;
@@ -72,6 +82,20 @@ pub trait Trace<S: Scalar> {
         memory: &mut Self::Memory,
         observer: &mut O,
     ) -> Rgb<S::Light>;
+
+    /// Returns the radiance of one sample of a picture, at the place `right` and `up` of the image plane, as
+    /// [`Camera::direction`] takes it: that of the ray through there from the eye, unless rays are spread.
+    #[cfg_attr(not(target_os = "none"), inline(always))]
+    fn sample<O: Observer<S> + ?Sized>(
+        &self,
+        camera: &Camera<S>,
+        (right, up): (S::Unit, S::Unit),
+        _sample: Sample,
+        memory: &mut Self::Memory,
+        observer: &mut O,
+    ) -> Rgb<S::Light> {
+        self.trace(camera.eye, camera.direction(right, up), memory, observer)
+    }
 }
 
 impl<S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Accelerator<S>> Trace<S>
@@ -87,28 +111,7 @@ impl<S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Accelerator
         memory: &mut A::Memory,
         observer: &mut O,
     ) -> Rgb<S::Light> {
-        let mut current = Pending { start: Start { origin, direction }, branch: Branch::eye::<S>() };
-        if !N::MIRROR {
-            return self.arrived(&mut current, &mut None, memory, observer);
-        }
-        let mut pending = Stack::<S, M::Weight, STACK>::new();
-        let mut light = Rgb::BLACK;
-        loop {
-            let mut surface = None;
-            let weighted = self.arrived(&mut current, &mut surface, memory, observer);
-            observer.light(weighted);
-            light = light.plus(weighted);
-            let next = match &surface {
-                Some(surface) if current.branch.depth < self.depth => {
-                    self.spawn(surface, &current, (&mut pending, &mut light), observer)
-                }
-                _ => None,
-            };
-            match next.or_else(|| pending.pop()) {
-                Some(next) => current = next,
-                None => return light,
-            }
-        }
+        self.walk(Start { origin, direction }, &Still, memory, observer)
     }
 }
 
@@ -155,18 +158,52 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Acceler
         self.trace(origin, direction, &mut A::Memory::default(), &mut ())
     }
 
+    /// Returns the radiance of a ray from the whole ray tree, whose rays are spread by `dice`.
+    #[cfg_attr(not(target_os = "none"), inline(always))]
+    fn walk<D: Dice<S>, O: Observer<S> + ?Sized>(
+        &self,
+        start: Start<S>,
+        dice: &D,
+        memory: &mut A::Memory,
+        observer: &mut O,
+    ) -> Rgb<S::Light> {
+        let (mut current, mut node) = (Pending { start, branch: Branch::eye::<S>() }, D::EYE);
+        if !N::MIRROR {
+            return self.arrived(&mut current, &mut None, (dice, node), memory, observer);
+        }
+        let mut pending = Waiting::<S, M::Weight, D::Node, STACK>::new();
+        let mut light = Rgb::BLACK;
+        loop {
+            let mut surface = None;
+            let weighted = self.arrived(&mut current, &mut surface, (dice, node), memory, observer);
+            observer.light(weighted);
+            light = light.plus(weighted);
+            let next = match &surface {
+                Some(surface) if current.branch.depth < self.depth => {
+                    self.spawn(surface, (&current, dice, node), (&mut pending, &mut light), observer)
+                }
+                _ => None,
+            };
+            match next.or_else(|| pending.pop()) {
+                Some(next) => (current, node) = next,
+                None => return light,
+            }
+        }
+    }
+
     /// Returns the part of the radiance of one ray, without its secondary rays, that arrives in the pixel. `surface` becomes the surface
     /// that the ray meets, if any. What is lost on the ray's way is lost to the secondary rays too: the ray's weight is changed.
     #[cfg_attr(not(target_os = "none"), inline(always))]
-    fn arrived<O: Observer<S> + ?Sized>(
+    fn arrived<D: Dice<S>, O: Observer<S> + ?Sized>(
         &self,
         current: &mut Pending<S, M::Weight>,
         surface: &mut Option<Surface<'a, S>>,
+        dice: (&D, D::Node),
         memory: &mut A::Memory,
         observer: &mut O,
     ) -> Rgb<S::Light> {
         let mut length = None;
-        let own = self.local(current, (&mut length, surface), memory, observer);
+        let own = self.local(current, (&mut length, surface), dice, memory, observer);
         let weight = current.branch.weight;
         if M::ALONG {
             let Pending { start, branch: Branch { kind, .. } } = *current;
@@ -193,10 +230,11 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Acceler
     /// Returns the radiance of one ray without its secondary rays. `length` becomes the length of the ray, if it meets anything and if the
     /// model asks for it, and `met` the surface that it meets, if any.
     #[cfg_attr(not(target_os = "none"), inline(always))]
-    fn local<O: Observer<S> + ?Sized>(
+    fn local<D: Dice<S>, O: Observer<S> + ?Sized>(
         &self,
         current: &Pending<S, M::Weight>,
         (length, met): (&mut Option<S>, &mut Option<Surface<'a, S>>),
+        (dice, node): (&D, D::Node),
         memory: &mut A::Memory,
         observer: &mut O,
     ) -> Rgb<S::Light> {
@@ -223,6 +261,15 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Acceler
         if N::LAMPS && self.model.is_lit::<N>(surface) {
             let lamps = if N::SEVERAL_LAMPS { scene.scene.lamps.len() } else { 1 };
             for (number, lamp) in scene.scene.lamps.iter().take(lamps).enumerate() {
+                if !D::STILL
+                    && has_size(dice, number, lamp)
+                    && let Some(places) = dice.places(number, node, branch.depth == 0)
+                {
+                    let light_of_it =
+                        self.spread_light(surface, (number, lamp), (dice, &places), memory, observer);
+                    light = light.plus(light_of_it);
+                    continue;
+                }
                 if let Some(incident) = Incident::new(lamp, surface.point, surface.normal) {
                     let unhidden = direct::<S, M, N>(&self.model, surface, &incident);
                     let part = self.unshadowed(surface, &incident, unhidden, number, memory, observer);

@@ -10,12 +10,12 @@ use rayon::ThreadPool;
 use rta_core::color::Rgb;
 use rta_core::raster::Raster;
 use rta_core::raster::lattice::Lattice;
-use rta_core::sampling::Sampling;
 use rta_packets::picture::{self, Picture, PutRow, Setup};
 use rta_packets::tally::{Rays, Tally};
 use rta_scenes::description::Description;
 use rta_scenes::in_format;
 use rta_scenes::narrow::Narrow;
+use rta_scenes::sampler::Sampler;
 
 use crate::picture::raster::Size;
 use bands::BandsError;
@@ -51,7 +51,7 @@ pub struct Settings {
     pub cutoff: Option<Cutoff>,
     /// Samples of a pixel. The light of one in its middle is kept as it is; the mean of several is that of displayable
     /// light.
-    pub sampling: Sampling,
+    pub sampling: Sampler,
 }
 
 impl Default for Settings {
@@ -65,7 +65,7 @@ impl Default for Settings {
             model: Model::Rta,
             depth: 5,
             cutoff: None,
-            sampling: Sampling::CENTER,
+            sampling: Sampler::CENTER,
         }
     }
 }

@@ -2,12 +2,13 @@
 
 pub mod error;
 pub mod fit;
+pub mod sampler;
 pub mod scene_file;
 
 pub use rta_args::value::sampling;
 
-use rta_core::sampling::{Places, Sampling};
 use rta_scenes::description::Settings;
+use rta_scenes::sampler::Sampler;
 
 use crate::args::TracingArgs;
 use crate::engine::{self, Cutoff, Engine, Format, MAX_DEPTH, Model};
@@ -19,7 +20,7 @@ use crate::picture::file::Caption;
 use crate::picture::raster::{Aspect, Size};
 use error::RequestError;
 use fit::Fit;
-use sampling::Samples;
+use sampler::{Told, put_lens, sampler};
 use scene_file::SceneFile;
 
 /// Depth of the rays where neither the command line nor the scene says it.
@@ -40,8 +41,10 @@ pub struct Request {
     pub depth: u32,
     /// Contribution cut-off: a ray that brings a smaller part of its light into the pixel is not traced; `None` for the model's.
     pub cutoff: Option<Cutoff>,
-    /// Samples of a pixel.
-    pub sampling: Sampling,
+    /// Samples of a pixel, and what spreads their rays.
+    pub sampling: Sampler,
+    /// Radius of the lens and distance that is sharp, where they are not those of the scene.
+    pub lens: (Option<f64>, Option<f64>),
     /// Pixels, or the display's own.
     pub size: Option<Size>,
     /// Shape of the screen, or the display's own.
@@ -72,7 +75,9 @@ impl Request {
             model: asked.model.unwrap_or(Model::Rta),
             depth: asked.depth.unwrap_or(DEPTH),
             cutoff,
-            sampling: asked.samples.unwrap_or(Samples::ONE).sampling(asked.jitter),
+            // Told in full once there is a scene.
+            sampling: sampler(&asked.spreading, None).unwrap_or(Sampler::CENTER),
+            lens: (asked.spreading.aperture, asked.spreading.focus),
             size,
             aspect,
             fit,
@@ -83,18 +88,17 @@ impl Request {
     /// the scene has it.
     ///
     /// # Errors
-    /// [`RequestError::TableWithoutDevice`], and those of [`Request::for_scene`].
+    /// [`RequestError::TableWithoutDevice`], and those of [`sampler()`] and [`Request::for_scene`].
     pub fn of_scene(asked: &TracingArgs, target: Target, scene: &SceneFile) -> Result<Self, RequestError> {
         if target == Target::None && (asked.table.is_some() || asked.dither.is_some()) {
             return Err(RequestError::TableWithoutDevice);
         }
         let request = Self::of(asked, target).for_scene(asked.model, scene)?;
         let said = &scene.description.settings;
-        let Settings { depth, samples, .. } = *said;
+        let Settings { depth, .. } = *said;
         let depth = asked.depth.or(depth).map_or(request.depth, |depth| depth.min(MAX_DEPTH));
         let cutoff = asked.cutoff.or(Cutoff::of(said));
-        let samples = asked.samples.or(samples.and_then(Samples::of));
-        let sampling = samples.map_or(request.sampling, |samples| samples.sampling(asked.jitter));
+        let sampling = sampler(&asked.spreading, Some(&scene.description))?;
         Ok(Self { depth, cutoff, sampling, ..request })
     }
 
@@ -170,14 +174,17 @@ impl Request {
             sampling: self.sampling,
         };
         let fit = self.fit(aspect);
-        let description = fit.scaled(scene);
+        let mut description = fit.scaled(scene);
+        if self.lens != (None, None) {
+            put_lens(self.lens, description.to_mut());
+        }
         Engine::new(&description, &settings).map_err(|source| fit.engine_error(scene, source))
     }
 
     /// Returns the text that is stored in a picture of `scene`.
     #[must_use]
     pub fn caption(&self, scene: &SceneFile) -> Caption {
-        let Self { target, coloring, format, model, depth, cutoff, sampling, .. } = self;
+        let Self { target, coloring, format, model, depth, cutoff, sampling, lens, .. } = self;
         let table = match target {
             Target::On(_) => format!(", {coloring}"),
             Target::None => String::new(),
@@ -186,9 +193,9 @@ impl Request {
         if let Some(cutoff) = cutoff.filter(|cutoff| *cutoff != Cutoff::OFF) {
             settings += &format!(", cut-off {cutoff}");
         }
-        if *sampling != Sampling::CENTER {
-            let grid = if sampling.is_jittered() { "jittered" } else { "regular" };
-            settings += &format!(", {} {grid} samples a pixel", sampling.samples());
+        settings += &Told(sampling).to_string();
+        for (length, name) in [(lens.0, "aperture"), (lens.1, "focus")] {
+            settings += &length.map_or(String::new(), |length| format!(", {name} {length}"));
         }
         Caption { title: scene.title.clone(), settings }
     }

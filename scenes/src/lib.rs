@@ -43,6 +43,7 @@ pub mod pictures;
 mod polygon;
 mod reading;
 pub mod rta;
+pub mod sampler;
 pub mod shading;
 pub mod shipped;
 pub mod space;

@@ -27,6 +27,7 @@ mod plane;
 mod properties;
 pub use properties::conductor;
 pub mod spectrum;
+pub mod spreads;
 #[cfg(test)]
 mod tests;
 pub mod triangle;
@@ -38,6 +39,7 @@ pub use error::NarrowError;
 use materials::Materials;
 pub(crate) use materials::finishes;
 use spectrum::{Spectrum, Table, weights};
+use spreads::Spreads;
 use variant::Options;
 
 /// A number format that descriptions can be narrowed to.
@@ -88,7 +90,7 @@ pub trait Narrow: Scalar {
 
 /// A scene and an eye in one number format: the lists that a core [`Scene`] borrows.
 #[derive(Clone, Debug)]
-pub struct Narrowed<S: Scalar> {
+pub struct Narrowed<S: Narrow> {
     /// Eye and image plane.
     pub camera: Camera<S>,
     /// Cylinders.
@@ -123,9 +125,11 @@ pub struct Narrowed<S: Scalar> {
     pub sky: Sky<S>,
     /// Ambient light.
     pub ambient: Rgb<S::Light>,
+    /// What spreads rays.
+    pub spreads: Spreads<S>,
 }
 
-impl<S: Scalar> Narrowed<S> {
+impl<S: Narrow> Narrowed<S> {
     /// The scene, borrowed.
     pub fn scene(&self) -> Scene<'_, S> {
         Scene {
@@ -149,10 +153,7 @@ impl<S: Scalar> Narrowed<S> {
     ///
     /// # Errors
     /// The first object or quantity that does not fit.
-    pub fn admit(&self) -> Result<Admitted<'_, S>, Error>
-    where
-        S: Narrow,
-    {
+    pub fn admit(&self) -> Result<Admitted<'_, S>, Error> {
         Ok(Admitted::baked(self.scene(), S::limits(self)?, Lists))
     }
 }
@@ -201,8 +202,13 @@ pub fn narrow<S: Narrow>(description: &Description, aspect: f64) -> Result<Narro
 }
 
 /// Proves that a scene fits its format.
-fn proved<S: Scalar>(scene: &Narrowed<S>) -> Result<Limits<S>, Error> {
-    Ok(scene.scene().admit(&scene.camera)?.limits)
+fn proved<S: Narrow>(scene: &Narrowed<S>) -> Result<Limits<S>, Error> {
+    let (own, camera) = (scene.scene(), &scene.camera);
+    let admitted = match &scene.spreads.aperture {
+        Some(aperture) => own.admit_lens((camera, aperture), Lists),
+        None => own.admit(camera),
+    };
+    Ok(admitted?.limits)
 }
 
 fn brought<S: Narrow>(description: &Description, aspect: f64) -> Result<Narrowed<S>, NarrowError> {
@@ -285,9 +291,11 @@ fn brought<S: Narrow>(description: &Description, aspect: f64) -> Result<Narrowed
     let Materials { first: Table { materials, said }, shadings, further, .. } = materials;
     let (coats, pool) = coats::narrow(description, &said, &shadings)?;
     let is_several = !further.is_empty();
+    let camera = camera(&description.camera, aspect)?;
+    let spreads = Spreads::of(description, &said, &camera)?;
     let spectrum = is_several.then(|| Spectrum { weights: weights::<S>(count), further });
     Ok(Narrowed {
-        camera: camera(&description.camera, aspect)?,
+        camera,
         cylinders,
         ellipsoids,
         spheres,
@@ -307,5 +315,6 @@ fn brought<S: Narrow>(description: &Description, aspect: f64) -> Result<Narrowed
             zenith: Checker::<S>::named("the zenith").light(description.sky.zenith)?,
         },
         ambient: Checker::<S>::named("the ambient light").light(description.ambient)?,
+        spreads,
     })
 }

@@ -2,7 +2,6 @@
 
 use super::{Cause, Worst};
 use crate::accelerator::Accelerator;
-use crate::camera::Camera;
 use crate::scalar::vector::{Vec3, Vector, Xyz};
 use crate::scalar::{Magnitude, Number, Scalar, Unit};
 use crate::scene::{Object, Scene};
@@ -10,7 +9,8 @@ use crate::scene::{Object, Scene};
 /// The bounding box of a scene, scaled to a quarter so that no sum of two coordinates leaves the format.
 pub(super) struct Extent<'a, 's, S: Scalar, A> {
     scene: &'a Scene<'s, S>,
-    eye: Vec3<S>,
+    /// The eye, and how far rays start from it.
+    eye: (Vec3<S>, S),
     accelerator: &'a A,
     /// The ends of the box along each axis, and what is there; `None` for the eye.
     low: Xyz<(S, Option<Object>)>,
@@ -38,9 +38,11 @@ fn norm(Xyz { x, y, z }: Xyz<Magnitude>) -> Magnitude {
 }
 
 impl<'a, 's, S: Scalar, A: Accelerator<S>> Extent<'a, 's, S, A> {
-    pub(super) fn of(scene: &'a Scene<'s, S>, camera: &Camera<S>, accelerator: &'a A) -> Self {
-        let eye = axes::<S>(camera.eye).map(|c| (quarter(c), None));
-        let mut extent = Self { scene, eye: camera.eye, accelerator, low: eye, high: eye };
+    /// Returns the extent of a scene with an eye and what reaches that far around it.
+    pub(super) fn of(scene: &'a Scene<'s, S>, (eye, reach): (Vec3<S>, S), accelerator: &'a A) -> Self {
+        let middle = axes::<S>(eye).map(|c| (quarter(c), None));
+        let mut extent = Self { scene, eye: (eye, reach), accelerator, low: middle, high: middle };
+        extent.hold(eye, reach, None);
         scene.solids(|object, place, radius, _| extent.hold(place, radius, Some(object)));
         // Distances from rays to the centres of nodes are computed too.
         accelerator.places(|center| extent.hold(center, S::ZERO, None));
@@ -120,7 +122,7 @@ impl<'a, 's, S: Scalar, A: Accelerator<S>> Extent<'a, 's, S, A> {
                 }
             }
         };
-        see(None, self.eye, S::ZERO);
+        see(None, self.eye.0, self.eye.1);
         self.scene.solids(|object, place, radius, _| see(Some(object), place, radius));
         self.accelerator.places(|center| see(None, center, S::ZERO));
         let Worst(radius, object) = radius;

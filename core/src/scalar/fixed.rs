@@ -99,6 +99,9 @@ impl Unit for I2F30 {
         let bits = (bits / 2 + bits % 2).min(i32::MAX.cast_unsigned()).cast_signed();
         Self::from_bits(if numerator < 0 { -bits } else { bits })
     }
+    fn of_word(word: u32) -> Self {
+        Self::from_bits((word >> (32 - UNIT_BITS)).cast_signed())
+    }
     fn of_level(level: i32) -> Self {
         // 2^30 / 65535 is 2^14 + 1/4, and a little.
         Self::from_bits((level << (UNIT_BITS - 16)) + ((level + 2) >> 2))

@@ -44,6 +44,10 @@ macro_rules! float {
             fn fraction(numerator: i32, denominator: u32) -> Self {
                 numerator as $f / denominator as $f
             }
+            fn of_word(word: u32) -> Self {
+                let cut = u32::BITS.saturating_sub(<$f>::MANTISSA_DIGITS);
+                (word >> cut) as $f / (1u64 << (u32::BITS - cut)) as $f
+            }
             fn of_level(level: i32) -> Self {
                 level as $f / 65_535.0
             }

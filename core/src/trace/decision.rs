@@ -69,13 +69,31 @@ pub fn direct<S: Scalar, M: Illumination<S>, N: Needs>(
     }
 }
 
+/// Returns the radiance that a surface sends back of a place on a lamp, before shadows, so that the mean over all places is that of the
+/// lamp: black where the lamp does not reach it from `place`. The model is shown the lamp as `lamp` has it. Gouraud's vertices, and the
+/// middles of Bishop and Weimer, are lit by the lamp's own middle.
+pub fn glimpsed<S: Scalar, M: Illumination<S>, N: Needs>(
+    model: &M,
+    surface: &Surface<S>,
+    place: &Incident<S>,
+    lamp: &Incident<S>,
+) -> Rgb<S::Light> {
+    if !model.is_reached::<N>(surface, place) {
+        return Rgb::BLACK;
+    }
+    match &surface.mesh {
+        Some(mesh) if N::MESHES => Aspects::of::<N>(surface, mesh).direct::<M, N>(model, lamp.lamp),
+        _ => model.direct::<N>(surface, lamp),
+    }
+}
+
 /// Returns whether a shadow ray is traced to a lamp of which the surface would send back `light`: not where that is black.
 pub fn casts_shadow_ray<N: Needs, L: Light>(light: Rgb<L>) -> bool {
     N::SHADOWS && light != Rgb::BLACK
 }
 
 /// A secondary ray that is to be traced, if there is one.
-type Spawned<S, W> = Option<(Branch<W>, Start<S>)>;
+pub type Spawned<S, W> = Option<(Branch<W>, Start<S>)>;
 
 /// Returns the weights of the secondary rays of a surface.
 #[inline]

@@ -1,18 +1,31 @@
 //! The secondary rays of a point.
 
-use super::decision::{Branch, Start, branch, mirrored_sky, refract, secondary};
-use super::{Observer, Pending, Stack, Tracer};
+mod rough;
+
+use core::fmt::Debug;
+
+use super::decision::{Branch, Spawned, Start, branch, mirrored_sky, refract, secondary};
+use super::dice::Dice;
+use super::{Observer, Pending, Tracer, Waiting};
 use crate::accelerator::Accelerator;
 use crate::color::Rgb;
 use crate::illumination::{Illumination, Weight};
 use crate::material::Glass;
 use crate::needs::Needs;
+use crate::sampling::mapping::Facets;
 use crate::scalar::Scalar;
-use crate::scalar::vector::{LengthVector, UnitVector};
+use crate::scalar::vector::{LengthVector, UnitVec3, UnitVector};
 use crate::surface::Surface;
 
 /// The rays that still wait, and the light that arrived.
-type Sum<'t, S, W, const STACK: usize> = (&'t mut Stack<S, W, STACK>, &'t mut Rgb<<S as Scalar>::Light>);
+type Sum<'t, S, W, T, const STACK: usize> =
+    (&'t mut Waiting<S, W, T, STACK>, &'t mut Rgb<<S as Scalar>::Light>);
+
+/// A ray that spawns others, the dice of its sample, and its node in the tree.
+type Parent<'t, S, W, D> = (&'t Pending<S, W>, &'t D, <D as Dice<S>>::Node);
+
+/// A ray to be traced, and its node in the tree.
+type Child<S, W, T> = Option<(Pending<S, W>, T)>;
 
 impl<S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Accelerator<S>>
     Tracer<'_, S, M, N, STACK, A>
@@ -20,51 +33,52 @@ impl<S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Accelerator
     /// Spawns the secondary rays of a surface: pushes the transmitted one and returns the reflected one, which is followed next. Adds to
     /// the light what the reflected one brings where it sees the sky alone.
     #[cfg_attr(not(target_os = "none"), inline(always))]
-    pub(super) fn spawn<O: Observer<S> + ?Sized>(
+    pub(super) fn spawn<D: Dice<S>, O: Observer<S> + ?Sized>(
         &self,
         surface: &Surface<S>,
-        parent: &Pending<S, M::Weight>,
-        sum: Sum<S, M::Weight, STACK>,
+        parent: Parent<S, M::Weight, D>,
+        sum: Sum<S, M::Weight, D::Node, STACK>,
         observer: &mut O,
-    ) -> Option<Pending<S, M::Weight>> {
+    ) -> Child<S, M::Weight, D::Node> {
+        if !D::STILL
+            && let (_, dice, node) = parent
+            && let Some((roughness, words)) = dice.facet(surface.number, node)
+        {
+            return self.spawn_rough(surface, (Facets { roughness }, words), parent, sum, observer);
+        }
         if N::MESHES && surface.mesh.is_some() {
             return self.spawn_of_mesh(surface, parent, sum, observer);
         }
-        self.spawn_by::<O, false>(surface, parent, sum, observer)
+        self.spawn_by::<D, O, false>(surface, parent, sum, observer)
     }
 
     /// Spawns the secondary rays of a point of a mesh.
     #[inline(never)] // scenes without meshes do not pay for it
-    fn spawn_of_mesh<O: Observer<S> + ?Sized>(
+    fn spawn_of_mesh<D: Dice<S>, O: Observer<S> + ?Sized>(
         &self,
         surface: &Surface<S>,
-        parent: &Pending<S, M::Weight>,
-        sum: Sum<S, M::Weight, STACK>,
+        parent: Parent<S, M::Weight, D>,
+        sum: Sum<S, M::Weight, D::Node, STACK>,
         observer: &mut O,
-    ) -> Option<Pending<S, M::Weight>> {
-        self.spawn_by::<O, true>(surface, parent, sum, observer)
+    ) -> Child<S, M::Weight, D::Node> {
+        self.spawn_by::<D, O, true>(surface, parent, sum, observer)
     }
 
     /// Spawns the secondary rays of a surface that is a point of a mesh or not: two functions, so that all of the second is inlined.
     #[cfg_attr(not(target_os = "none"), inline(always))]
-    fn spawn_by<O: Observer<S> + ?Sized, const MESH: bool>(
+    fn spawn_by<D: Dice<S>, O: Observer<S> + ?Sized, const MESH: bool>(
         &self,
         surface: &Surface<S>,
-        parent: &Pending<S, M::Weight>,
-        (pending, light): Sum<S, M::Weight, STACK>,
+        parent: Parent<S, M::Weight, D>,
+        sum: Sum<S, M::Weight, D::Node, STACK>,
         observer: &mut O,
-    ) -> Option<Pending<S, M::Weight>> {
+    ) -> Child<S, M::Weight, D::Node> {
         let secondary = if MESH {
             secondary::<S, M, N>(&self.model, surface)
         } else {
             self.model.secondary::<N>(surface)
         };
-        let start = |direction, leaves: bool| {
-            let (side, direction) = (surface.side::<N>(), surface.fold::<N>(direction, leaves));
-            let (origin, _) =
-                surface.point.leave(if leaves { side } else { -side }, direction, surface.extent);
-            Start { origin, direction }
-        };
+        let start = |direction, leaves| leaving::<S, N>(surface, direction, leaves);
         let reflected = || start(surface.incoming.reflect(surface.normal), true);
         let mut is_total = false;
         let refracted = |glass: &Glass<S>| {
@@ -72,16 +86,30 @@ impl<S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Accelerator
             is_total = direction.is_none();
             direction.map(|direction| start(direction, false))
         };
-        let place = (&parent.branch, self.cutoff);
+        let place = (&parent.0.branch, self.cutoff);
         let straight = || start(surface.incoming, false);
-        let [transmitted, reflected] =
-            branch::<S, M::Weight, N>(secondary, surface, place, reflected, refracted, straight);
+        let spawned = branch::<S, M::Weight, N>(secondary, surface, place, reflected, refracted, straight);
+        self.send::<_, D, O>(surface, parent.2, (spawned, is_total), sum, observer)
+    }
+
+    /// Pushes the transmitted ray and returns the reflected one, or adds to the light what that brings where it sees the sky alone. `is_total`
+    /// tells whether there was total internal reflection.
+    #[cfg_attr(not(target_os = "none"), inline(always))]
+    pub(super) fn send<T: Copy + Debug, D: Dice<S, Node = T>, O: Observer<S> + ?Sized>(
+        &self,
+        surface: &Surface<S>,
+        node: T,
+        ([transmitted, reflected], is_total): ([Spawned<S, M::Weight>; 2], bool),
+        (pending, light): Sum<S, M::Weight, T, STACK>,
+        observer: &mut O,
+    ) -> Child<S, M::Weight, T> {
         if is_total {
             observer.total_reflection();
         }
         let mut told = |(branch, start): (Branch<M::Weight>, Start<S>)| {
             observer.spawned(&|cutoff| !branch.weight.is_below(cutoff));
-            Pending { start, branch }
+            let node = D::child(node, branch.kind);
+            (Pending { start, branch }, node)
         };
         if N::GLASS
             && let Some(transmitted) = transmitted
@@ -100,4 +128,16 @@ impl<S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Accelerator
         }
         reflected.map(told)
     }
+}
+
+/// Returns the start of a secondary ray of a surface in that direction, which `leaves` on the side of the normal or goes through.
+#[cfg_attr(not(target_os = "none"), inline(always))]
+pub(super) fn leaving<S: Scalar, N: Needs>(
+    surface: &Surface<S>,
+    direction: UnitVec3<S>,
+    leaves: bool,
+) -> Start<S> {
+    let (side, direction) = (surface.side::<N>(), surface.fold::<N>(direction, leaves));
+    let (origin, _) = surface.point.leave(if leaves { side } else { -side }, direction, surface.extent);
+    Start { origin, direction }
 }

@@ -48,6 +48,17 @@ where
     }
 }
 
+/// Reads a length of 0 or more.
+pub(super) fn length(text: &str) -> Result<f64, &'static str> {
+    let length = text.parse().ok().filter(|length: &f64| length.is_finite() && *length >= 0.0);
+    length.ok_or("expected a length of 0 or more")
+}
+
+/// Reads a length above 0.
+pub(super) fn distance(text: &str) -> Result<f64, &'static str> {
+    length(text).ok().filter(|length| *length > 0.0).ok_or("expected a length above 0")
+}
+
 /// The models that are put side by side.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Models(pub Vec<Model>);

@@ -7,6 +7,7 @@ mod explain;
 mod pages;
 mod picture;
 mod scene;
+pub mod spreading;
 mod study;
 mod tracing;
 pub mod value;

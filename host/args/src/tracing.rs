@@ -4,10 +4,10 @@ use clap::Args;
 
 use super::choice;
 use super::scene::ReadingArgs;
+use super::spreading::SpreadingArgs;
 use crate::value::coloring::{DitherKind, SAMPLES, TableKind};
 use crate::value::cutoff::Cutoff;
 use crate::value::raster::{Aspect, Size};
-use crate::value::sampling::Samples;
 use rta_packets::picture::MAX_DEPTH;
 use rta_scenes::{Format, Model};
 
@@ -33,14 +33,9 @@ pub struct TracingArgs {
     /// [default: what a .rta says, else 0]
     #[arg(long, value_name = "PART", verbatim_doc_comment)]
     pub cutoff: Option<Cutoff>,
-    /// Samples of a pixel, on a square grid: 1, 4, 9, 16 ... 1024
-    ///
-    /// [default: what a .rta says, else 1]
-    #[arg(long, value_name = "N", verbatim_doc_comment)]
-    pub samples: Option<Samples>,
-    /// Jitter the samples, each in its own cell of the grid, by this seed
-    #[arg(long, value_name = "SEED", value_parser = choice::whole(0..=u32::MAX))]
-    pub jitter: Option<u32>,
+    /// Samples, and what spreads their rays
+    #[command(flatten)]
+    pub spreading: SpreadingArgs,
     /// Colour table of the device [default: sampled]
     #[arg(short, long, value_enum, ignore_case = true)]
     pub table: Option<TableKind>,
@@ -79,8 +74,7 @@ impl Default for TracingArgs {
             model: None,
             depth: None,
             cutoff: None,
-            samples: None,
-            jitter: None,
+            spreading: SpreadingArgs::default(),
             table: None,
             dither: None,
             table_samples: SAMPLES,

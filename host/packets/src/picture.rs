@@ -11,14 +11,16 @@ use rta_core::needs::Everything;
 use rta_core::range::Admitted;
 use rta_core::raster::Raster;
 use rta_core::raster::lattice::Lattice;
-use rta_core::sampling::{Places, Sampling};
+use rta_core::sampling::Places;
 use rta_core::scalar::Unit;
 use rta_core::scene::Limits;
+use rta_core::trace::dice::Sample;
 use rta_core::trace::{Observer, Trace, Tracer};
 use rta_core::{Q16, Q20, Scalar};
 use rta_scenes::description::{Air, Description};
 use rta_scenes::model::Model;
 use rta_scenes::narrow::{Narrow, NarrowError, Narrowed, narrow};
+use rta_scenes::sampler::Sampler;
 use rta_scenes::shading::{Shade, Wavelengths};
 
 use crate::cache::ShadowCache;
@@ -26,8 +28,10 @@ use crate::packets::Packets;
 use crate::rows::Rows;
 
 mod spectral;
+mod spread;
 
 use spectral::Spectral;
+use spread::Spread;
 
 /// The deepest recursion: the capacity of the tracer's stack of pending rays.
 pub const MAX_DEPTH: u32 = 32;
@@ -45,7 +49,7 @@ pub struct Setup {
     /// number format rounds it for itself. Without it, the model's counts.
     pub cutoff: Option<(i64, i64)>,
     /// Samples of a pixel. The light of one in its middle is kept as it is; of several it is the mean of displayable light.
-    pub sampling: Sampling,
+    pub sampling: Sampler,
 }
 
 /// Why a scene cannot be drawn with some settings.
@@ -93,12 +97,12 @@ pub trait Picture<S: Narrow>: Send + Sync {
     /// instead of its own, with one sample in the middle of each pixel.
     fn preview_rows(&self, raster: Raster, first: u32, end: u32, put: PutRow<S>);
 
-    /// Returns the light of one sample on the image plane, `right` and `up` from -1/2 to 1/2; `observer` is told of every ray.
-    /// `cache` is kept from sample to sample.
+    /// Returns the light of one sample at a place of the image plane, how far to the right and how far up, each from -1/2 to 1/2; `observer`
+    /// is told of every ray. By `sample` the sample's rays are spread, where rays are; `cache` is kept from sample to sample.
     fn sample(
         &self,
-        right: S::Unit,
-        up: S::Unit,
+        place: (S::Unit, S::Unit),
+        sample: Sample,
         cache: &mut ShadowCache,
         observer: &mut dyn Observer<S>,
     ) -> Rgb<S::Light>;
@@ -127,8 +131,9 @@ pub trait Picture<S: Narrow>: Send + Sync {
         for y in first..end.min(grid.height()) {
             let row = lattice.row::<S::Unit>(grid, y);
             for x in 0..grid.width() {
-                let (right, up) = lattice.place(grid, row, x, 0);
-                put(self.sample(right, up, &mut cache, &mut ()));
+                let ((x, y), number) = (lattice.pixel(x, y), 0);
+                let own = Sample { x, y, number };
+                put(self.sample(lattice.place(grid, row, x, 0), own, &mut cache, &mut ()));
             }
         }
     }
@@ -149,8 +154,8 @@ fn observed<S: Narrow>(
     let Setup { raster, sampling, .. } = *picture.setup();
     let row = Places::row::<S::Unit>(&sampling, raster, y);
     for sample in 0..sampling.samples() {
-        let (right, up) = sampling.place(raster, row, x, sample);
-        picture.sample(right, up, cache, observer);
+        let own = Sample { x, y, number: sample };
+        picture.sample(sampling.place(raster, row, x, sample), own, cache, observer);
     }
 }
 
@@ -183,6 +188,10 @@ macro_rules! formats {
                     if wavelengths.is_dispersive() {
                         return Ok(Box::new(Spectral { ready, wavelengths }));
                     }
+                }
+                if let Some(&spreading) = setup.sampling.spreading() {
+                    let model = any(&ready.scene).into_first();
+                    return Ok(Box::new(Spread { still: Modelled { ready, model }, spreading }));
                 }
                 let is_clear = *air == Air::default();
                 Ok(match model {
@@ -250,7 +259,7 @@ impl<S: Format, M: Illumination<S> + Clone> Modelled<S, M> {
     }
 
     /// Calls `put` with each of the rows `range` of the picture on `raster`, with samples at `places`.
-    fn traced(&self, raster: Raster, places: Sampling, range: (u32, u32), put: PutRow<S>) {
+    fn traced(&self, raster: Raster, places: Sampler, range: (u32, u32), put: PutRow<S>) {
         // There is a tracer: the depth was checked when the picture was made ready.
         let admitted = self.ready.admitted();
         let Some(tracer) = self.tracer(&admitted) else { return };
@@ -273,20 +282,19 @@ impl<S: Format, M: Illumination<S> + Clone> Picture<S> for Modelled<S, M> {
     }
 
     fn preview_rows(&self, raster: Raster, first: u32, end: u32, put: PutRow<S>) {
-        self.traced(raster, Sampling::CENTER, (first, end), put);
+        self.traced(raster, Sampler::CENTER, (first, end), put);
     }
 
     fn sample(
         &self,
-        right: S::Unit,
-        up: S::Unit,
+        place: (S::Unit, S::Unit),
+        sample: Sample,
         cache: &mut ShadowCache,
         observer: &mut dyn Observer<S>,
     ) -> Rgb<S::Light> {
         let admitted = self.ready.admitted();
         let Some(tracer) = self.tracer(&admitted) else { return Rgb::BLACK };
-        let camera = &self.ready.scene.camera;
-        tracer.trace(camera.eye, camera.direction(right, up), cache, observer)
+        tracer.sample(&self.ready.scene.camera, place, sample, cache, observer)
     }
 
     fn setup(&self) -> &Setup {

@@ -6,8 +6,9 @@ use rta_core::color::Rgb;
 use rta_core::illumination::Illumination;
 use rta_core::needs::Needs;
 use rta_core::raster::{Pixels, Raster};
-use rta_core::sampling::{Center, Places, Sampling};
+use rta_core::sampling::{Center, Places};
 use rta_core::trace::Tracer;
+use rta_scenes::sampler::Sampler;
 
 use crate::four::geometry::through_plane;
 use crate::four::trace::Trees4;
@@ -21,7 +22,7 @@ pub trait Rows: ToF32 {
     fn trace_rows<'a, M: Illumination<Self>, N: Needs, const STACK: usize>(
         tracer: &Tracer<'a, Self, M, N, STACK, &'a Packets>,
         camera: &Camera<Self>,
-        (raster, sampling): (Raster, Sampling),
+        (raster, sampling): (Raster, Sampler),
         (first, end): (u32, u32),
         put: impl FnMut(Rgb<Self::Light>),
     ) {
@@ -38,14 +39,14 @@ impl Rows for f32 {
     fn trace_rows<'a, M: Illumination<f32>, N: Needs, const STACK: usize>(
         tracer: &Tracer<'a, f32, M, N, STACK, &'a Packets>,
         camera: &Camera<f32>,
-        (raster, sampling): (Raster, Sampling),
+        (raster, sampling): (Raster, Sampler),
         (first, end): (u32, u32),
         mut put: impl FnMut(Rgb<f32>),
     ) {
         let mut trees = Trees4::new();
         let samples = sampling.samples();
         // The same places and the same light either way; this one is quicker (5 % of the instructions of a simple scene).
-        let is_center = sampling == Sampling::CENTER;
+        let is_center = sampling == Sampler::CENTER;
         let (mut sum, mut summed) = (Rgb::BLACK, 0);
         for y in first..end.min(raster.height()) {
             let (row, middle) = (sampling.row::<f32>(raster, y), Center.row::<f32>(raster, y));

@@ -160,6 +160,10 @@ impl<U: UnitFormat> Unit for Paired<U> {
             .noted("ratio", [])
     }
     #[track_caller]
+    fn of_word(word: u32) -> Self {
+        Self { format: U::of_word(word), twin: <f64 as Unit>::of_word(word) }.noted("of_word", [])
+    }
+    #[track_caller]
     fn of_level(level: i32) -> Self {
         Self { format: U::of_level(level), twin: <f64 as Unit>::of_level(level) }.noted("of_level", [])
     }

@@ -3,6 +3,7 @@
 use core::fmt;
 use std::io;
 
+use rta_args::value::sampling::{NotASquare, Samples};
 use rta_scenes::error::{Found, SceneError};
 use rta_scenes::fit::FloorError;
 use rta_scenes::pictures::PictureError as LoadError;
@@ -94,6 +95,20 @@ pub enum RequestError {
     /// A colour table or dithering was asked for, but no device.
     #[error("--table and --dither are about the colour table of a device, and --device none has none")]
     TableWithoutDevice,
+    /// A number of samples that fills no grid.
+    #[error("--samples {samples} do not fill a grid: it takes {reason}; --sampler sobol takes any number")]
+    Samples {
+        /// The number.
+        samples: Samples,
+        /// What it should be.
+        reason: NotASquare,
+    },
+    /// An option of the other sampler.
+    #[error("--jitter is about the cells of a grid, and --sampler sobol has none; its noise has a --seed")]
+    OfGrid,
+    /// An option of the other sampler.
+    #[error("{_0} is about rays that are spread, which those of --sampler grid are not")]
+    OfSobol(&'static str),
     /// The picture does not fit its device.
     #[error(transparent)]
     Picture(#[from] PictureError),

@@ -33,6 +33,8 @@ pub struct Material {
     /// Angle in degrees at which highlights have half their strength, above 0 and below 45: it sets exponents and slopes where
     /// these are not given.
     pub gloss: Option<f64>,
+    /// Roughness of the facets that reflect and refract rays, alpha of Trowbridge and Reitz, 0 (a mirror) to 1.
+    pub roughness: Option<f64>,
     /// Slopes of microfacets, at most four, whose shares add up to 1; none where the model's is taken.
     pub slopes: Vec<Slope>,
     /// Index of refraction of the inside with respect to the outside, above 0.

@@ -46,7 +46,6 @@ impl<'a> Reader<'a> {
                 let found = Found::Told("edges without an area between them".into());
                 return Err(said.error(part.word(0).1, "the edges of the lamp (not parallel)", found));
             };
-            self.undrawn("lamps with edges, which are spheres of their area for now", line);
             self.scene.details.lamps.insert(number, LampShape::Area { corner, edges });
             Lamp { position, radius, ..lamp }
         } else {

@@ -43,6 +43,7 @@ impl<'a> Reader<'a> {
             (&mut made.mirror, "mirror"),
             (&mut made.exponent, "exponent"),
             (&mut made.gloss, "gloss"),
+            (&mut made.roughness, "roughness"),
             (&mut made.index, "index"),
         ] {
             *own = said.number(keyword).or(*own);

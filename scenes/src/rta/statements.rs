@@ -57,8 +57,9 @@ const ONCE: &[Statement] = &[
                 "angle of view across the longer side of the picture",
             ),
             ALONG,
-            may("focus", &[V("focus", Number(Positive))], "the distance that is sharp; kept, not drawn yet"),
-            may("aperture", &[V("aperture", Number(Positive))], "diameter of the lens; kept, not drawn yet"),
+            may("focus", &[V("focus", Number(Positive))], "the distance that is sharp")
+                .default("that of the point that it looks at"),
+            may("aperture", &[V("aperture", Number(Positive))], "diameter of the lens").default("a pinhole"),
             may(
                 "shutter",
                 &[V("opening", Number(Any)), V("closing", Number(Any))],

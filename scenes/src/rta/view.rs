@@ -58,9 +58,6 @@ impl<'a> Reader<'a> {
         };
         let along = self.along(said)?;
         self.scene.details.journey = along.map(|path| Journey { path, aim: said.triple("to") });
-        if said.has("aperture") {
-            self.undrawn("lenses", said.place.0);
-        }
         Ok(())
     }
 

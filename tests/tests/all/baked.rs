@@ -83,7 +83,7 @@ pub(super) const SMALL: Settings = Settings {
     model: Model::Rta,
     depth: DEPTH,
     cutoff: None,
-    sampling: rta_core::sampling::Sampling::CENTER,
+    sampling: rta_scenes::sampler::Sampler::CENTER,
 };
 
 /// Reads a scene file, named from the folder of this package.

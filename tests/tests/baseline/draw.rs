@@ -87,7 +87,7 @@ fn fitted(scene: &Description, format: Format, model: Model) -> Option<Cow<'_, D
 fn drawn<S: Bits>(scene: &Description, model: Model, (depth, samples): (u32, u8)) -> Option<u64> {
     let raster = Raster::new(SIZE.0, SIZE.1).ok()?;
     let sampling = Sampling::grid(samples.isqrt())?;
-    let setup = Setup { raster, aspect: ASPECT, depth, cutoff: None, sampling };
+    let setup = Setup { raster, aspect: ASPECT, depth, cutoff: None, sampling: sampling.into() };
     let picture = S::picture(scene, model, &setup).ok()?;
     let mut bytes = Vec::new();
     picture.rows(0, raster.height(), &mut |row| {

@@ -1,57 +1,105 @@
-//! The number of samples a pixel, as the command line states it.
+//! The number of samples a pixel, and how lamps are asked, as the command line states them.
 
 use core::fmt;
 use core::str::FromStr;
 
-use rta_core::sampling::{Places, Sampling};
+use rta_core::sampling::{Sampling, Sobol};
+use rta_scenes::sampler::Lamps;
 
-/// Samples a pixel: a square number.
+/// Samples a pixel: 1 to [`Sobol::MAX_SAMPLES`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Samples(Sampling);
+pub struct Samples(u32);
 
 impl Samples {
-    /// One sample, in the middle of the pixel.
-    pub const ONE: Self = Self(Sampling::CENTER);
+    /// One sample.
+    pub const ONE: Self = Self(1);
 
-    /// Returns a number of samples; `None` where it is no square number from 1 to [`Samples::MOST`].
+    /// The most samples on a grid.
+    pub const MOST_ON_GRID: u32 = 1024;
+
+    /// Returns a number of samples; `None` where it is 0 or above [`Sobol::MAX_SAMPLES`].
     #[must_use]
-    pub fn of(samples: u32) -> Option<Self> {
-        let side = samples.isqrt();
-        if side * side != samples || samples > Self::MOST {
-            return None;
-        }
-        u8::try_from(side).ok().and_then(Sampling::grid).map(Self)
+    pub const fn of(samples: u32) -> Option<Self> {
+        if samples == 0 || samples > Sobol::MAX_SAMPLES { None } else { Some(Self(samples)) }
     }
 
-    /// The largest number of samples a pixel that may be asked for.
-    pub const MOST: u32 = 1024;
-
-    /// Returns where in a pixel the samples lie: on a regular grid, or jittered where there is a seed.
+    /// Returns the number.
     #[must_use]
-    pub const fn sampling(self, seed: Option<u32>) -> Sampling {
-        match seed {
-            Some(seed) => self.0.jittered(seed),
-            None => self.0,
-        }
+    pub const fn count(self) -> u32 {
+        self.0
+    }
+
+    /// Returns them on a regular grid, or jittered where there is a seed.
+    ///
+    /// # Errors
+    /// [`NotASquare`] if they do not fill a grid.
+    pub fn grid(self, seed: Option<u32>) -> Result<Sampling, NotASquare> {
+        let side = self.0.isqrt();
+        let fits = side * side == self.0 && self.0 <= Self::MOST_ON_GRID;
+        let grid = u8::try_from(side).ok().filter(|_| fits).and_then(Sampling::grid).ok_or(NotASquare)?;
+        Ok(seed.map_or(grid, |seed| grid.jittered(seed)))
     }
 }
 
-/// The number of samples is not a square number within the limits.
+/// The samples do not fill a square grid.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("expected a square number from 1 to {}: 1, 4, 9, 16 ...", Samples::MOST)]
+#[error("a square number from 1 to {}: 1, 4, 9, 16 ...", Samples::MOST_ON_GRID)]
 pub struct NotASquare;
 
-impl FromStr for Samples {
-    type Err = NotASquare;
+/// It is no number of samples.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("expected a whole number from 1 to {}", Sobol::MAX_SAMPLES)]
+pub struct NotSamples;
 
-    fn from_str(text: &str) -> Result<Self, NotASquare> {
-        text.parse().ok().and_then(Self::of).ok_or(NotASquare)
+impl FromStr for Samples {
+    type Err = NotSamples;
+
+    fn from_str(text: &str) -> Result<Self, NotSamples> {
+        text.parse().ok().and_then(Self::of).ok_or(NotSamples)
     }
 }
 
 impl fmt::Display for Samples {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.0.samples().fmt(f)
+        self.0.fmt(f)
+    }
+}
+
+/// How lamps with a size are asked for their light.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct LampsValue(pub Lamps);
+
+/// It is no way to ask lamps.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("expected point, fixed:K with a square number K from 1 to 1024, or area")]
+pub struct NotLamps;
+
+impl FromStr for LampsValue {
+    type Err = NotLamps;
+
+    fn from_str(text: &str) -> Result<Self, NotLamps> {
+        let text = text.to_ascii_lowercase();
+        let fixed = |places: &str| {
+            let places: u32 = places.parse().ok().filter(|places| (1..=1024).contains(places))?;
+            let side = places.isqrt();
+            u8::try_from(side).ok().filter(|_| side * side == places).map(Lamps::Fixed)
+        };
+        match (text.as_str(), text.strip_prefix("fixed:")) {
+            ("point", _) => Ok(Self(Lamps::Point)),
+            ("area", _) => Ok(Self(Lamps::Area)),
+            (_, Some(places)) => fixed(places).map(Self).ok_or(NotLamps),
+            _ => Err(NotLamps),
+        }
+    }
+}
+
+impl fmt::Display for LampsValue {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.0 {
+            Lamps::Point => f.write_str("point"),
+            Lamps::Fixed(side) => write!(f, "fixed:{}", u32::from(side) * u32::from(side)),
+            Lamps::Area => f.write_str("area"),
+        }
     }
 }
 
@@ -59,17 +107,31 @@ impl fmt::Display for Samples {
 mod tests {
     use rta_core::sampling::Places;
 
-    use super::Samples;
+    use super::{LampsValue, Samples};
 
     #[test]
-    fn samples_are_squares() {
+    fn samples_on_a_grid_are_squares() {
         for (text, samples) in [("1", 1), ("4", 4), ("9", 9), ("16", 16), ("1024", 1024)] {
             let read = text.parse::<Samples>().expect(text);
-            assert_eq!((read.sampling(None).samples(), read.to_string().as_str()), (samples, text));
-            assert!(read.sampling(Some(7)).is_jittered() && !read.sampling(None).is_jittered());
+            let grid = |seed| read.grid(seed).expect(text);
+            assert_eq!((grid(None).samples(), read.to_string().as_str()), (samples, text));
+            assert!(grid(Some(7)).is_jittered() && !grid(None).is_jittered());
         }
-        for text in ["0", "2", "15", "-4", "", "1089", "4294967295", "4.0"] {
+        for text in ["2", "15", "1089", "16384"] {
+            assert!(text.parse::<Samples>().expect(text).grid(None).is_err(), "{text}");
+        }
+        for text in ["0", "-4", "", "16385", "4294967295", "4.0"] {
             assert!(text.parse::<Samples>().is_err(), "{text}");
+        }
+    }
+
+    #[test]
+    fn lamps_are_told_as_they_are_read() {
+        for text in ["point", "area", "fixed:1", "fixed:4", "fixed:256"] {
+            assert_eq!(text.parse::<LampsValue>().map(|lamps| lamps.to_string()).as_deref(), Ok(text));
+        }
+        for text in ["", "fixed", "fixed:", "fixed:0", "fixed:3", "fixed:-4", "fixed:1089", "cones"] {
+            assert!(text.parse::<LampsValue>().is_err(), "{text}");
         }
     }
 }

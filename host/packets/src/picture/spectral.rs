@@ -3,10 +3,11 @@
 use rta_core::color::Rgb;
 use rta_core::needs::Everything;
 use rta_core::raster::{Pixels, Raster};
-use rta_core::sampling::Sampling;
 use rta_core::scalar::Unit;
+use rta_core::trace::dice::Sample;
 use rta_core::trace::{Observer, Trace};
 use rta_scenes::narrow::Narrowed;
+use rta_scenes::sampler::Sampler;
 use rta_scenes::shading::{AnySpectrum, Wavelengths};
 
 use super::{Format, MAX_DEPTH, Picture, PutRow, Ready, Setup};
@@ -31,7 +32,7 @@ impl<S: Format> Spectral<S> {
         self.wavelengths.with_tracer(&self.ready.scene, &admitted, (depth, cutoff), draw).ok()
     }
 
-    fn traced(&self, raster: Raster, places: Sampling, (first, end): (u32, u32), put: PutRow<S>) {
+    fn traced(&self, raster: Raster, places: Sampler, (first, end): (u32, u32), put: PutRow<S>) {
         let camera = &self.ready.scene.camera;
         self.with_tracer(|tracer| {
             for y in first..end.min(raster.height()) {
@@ -49,19 +50,18 @@ impl<S: Format> Picture<S> for Spectral<S> {
     }
 
     fn preview_rows(&self, raster: Raster, first: u32, end: u32, put: PutRow<S>) {
-        self.traced(raster, Sampling::CENTER, (first, end), put);
+        self.traced(raster, Sampler::CENTER, (first, end), put);
     }
 
     fn sample(
         &self,
-        right: S::Unit,
-        up: S::Unit,
+        place: (S::Unit, S::Unit),
+        sample: Sample,
         cache: &mut ShadowCache,
         observer: &mut dyn Observer<S>,
     ) -> Rgb<S::Light> {
         let camera = &self.ready.scene.camera;
-        let direction = camera.direction(right, up);
-        self.with_tracer(|tracer| tracer.trace(camera.eye, direction, cache, observer)).unwrap_or(Rgb::BLACK)
+        self.with_tracer(|tracer| tracer.sample(camera, place, sample, cache, observer)).unwrap_or(Rgb::BLACK)
     }
 
     fn setup(&self) -> &Setup {

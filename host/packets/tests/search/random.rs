@@ -6,14 +6,16 @@ use rta_core::accelerator::Lists;
 use rta_core::color::Rgb;
 use rta_core::needs::Everything;
 use rta_core::raster::{Pixels, Raster};
-use rta_core::sampling::{Center, Places, Sampling};
+use rta_core::sampling::{Center, Places};
 use rta_core::trace::Tracer;
+use rta_core::trace::dice::Sample;
 use rta_core::{Q16, Q20};
 use rta_packets::ShadowCache;
 use rta_packets::picture::{Format, Setup};
 use rta_scenes::description::Air;
 use rta_scenes::model::Model;
 use rta_scenes::narrow::{Narrowed, narrow};
+use rta_scenes::sampler::Sampler;
 use rta_scenes::shading::any_model;
 
 use crate::scenes::clusters;
@@ -49,7 +51,7 @@ fn compare<S: Format>() {
             .nth(usize::try_from(seed).expect("small"))
             .map_or(Air::default(), |text| text.parse().expect("air"));
         let setup =
-            Setup { raster: raster(), aspect: 1.0, depth: DEPTH, cutoff: None, sampling: Sampling::CENTER };
+            Setup { raster: raster(), aspect: 1.0, depth: DEPTH, cutoff: None, sampling: Sampler::CENTER };
         let model = Model::ALL.iter().cycle().nth(usize::try_from(seed / 3).expect("small"));
         let model = *model.expect("there are models");
         let Ok(picture) = S::picture(&scene, model, &setup) else { continue };
@@ -60,8 +62,8 @@ fn compare<S: Format>() {
         for y in 0..SIDE {
             let row = Center.row::<S::Unit>(raster(), y);
             for x in 0..SIDE {
-                let (right, up) = Center.place(raster(), row, x, 0);
-                single.push(picture.sample(right, up, &mut cache, &mut ()));
+                let own = Sample { x, y, number: 0 };
+                single.push(picture.sample(Center.place(raster(), row, x, 0), own, &mut cache, &mut ()));
             }
         }
         picture.rows(0, SIDE, &mut |row| rows.extend_from_slice(row));

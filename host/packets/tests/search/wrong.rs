@@ -18,7 +18,7 @@ fn draw<S: Narrow + ToF32 + Rows>(scene: &Description, other: &Description) {
     let raster = Raster::new(46, 10).expect("a raster");
     assert_eq!(Pixels::new(&tracer, &narrowed.camera, raster).count(), 460);
     let mut pixels = 0;
-    S::trace_rows(&tracer, &narrowed.camera, (raster, rta_core::sampling::Sampling::CENTER), (0, 10), |_| {
+    S::trace_rows(&tracer, &narrowed.camera, (raster, rta_scenes::sampler::Sampler::CENTER), (0, 10), |_| {
         pixels += 1
     });
     assert_eq!(pixels, 460);

@@ -5,7 +5,7 @@ use core::sync::atomic::AtomicBool;
 use rayon::ThreadPool;
 use rta_core::color::Rgb;
 use rta_core::raster::lattice::Lattice;
-use rta_core::sampling::Sampling;
+use rta_scenes::sampler::Sampler;
 
 use crate::engine::{Engine, bands};
 use crate::picture::coloring::{Coloring, on_grid};
@@ -49,10 +49,10 @@ impl Traced {
         let trace = |request: &Request| light(&request.engine(scene)?, size, pool, stop);
         let light = trace(request)?;
         let reference = levels(&light, u8::MAX);
-        let centers = if request.sampling == Sampling::CENTER {
+        let centers = if request.sampling == Sampler::CENTER {
             reference.clone()
         } else {
-            levels(&trace(&Request { sampling: Sampling::CENTER, ..request.clone() })?, u8::MAX)
+            levels(&trace(&Request { sampling: Sampler::CENTER, ..request.clone() })?, u8::MAX)
         };
         Ok(Self { size, aspect, light, reference, centers })
     }

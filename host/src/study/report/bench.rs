@@ -12,6 +12,7 @@ use rta_core::color::Rgb;
 use rta_core::raster::Raster;
 use rta_core::sampling::{Places, Sampling};
 use rta_core::scalar::Light;
+use rta_core::trace::dice::Sample;
 use rta_packets::picture::{self, Setup};
 use rta_packets::tally::Rays;
 use rta_packets::{Picture as Traced, ShadowCache};
@@ -137,7 +138,11 @@ impl<S: picture::Format> Ready<S> {
     ) -> Result<Box<dyn Traced<S>>, EngineError> {
         let Limit { depth, cutoff } = limit;
         let cutoff = Some((cutoff.numerator(), cutoff.denominator()));
-        S::picture(&self.scene, Model::Rta, &Setup { raster, aspect: self.aspect, depth, cutoff, sampling })
+        S::picture(
+            &self.scene,
+            Model::Rta,
+            &Setup { raster, aspect: self.aspect, depth, cutoff, sampling: sampling.into() },
+        )
     }
 }
 
@@ -153,9 +158,10 @@ impl<S: picture::Format> Bench for Ready<S> {
             for (x, _) in lattice.row(y) {
                 let mut sums = [Rgb::BLACK; LIMITS + 1];
                 for sample in 0..sampling.samples() {
-                    let (right, up) = sampling.place(lattice.raster, samples_of_row, x, sample);
+                    let place = sampling.place(lattice.raster, samples_of_row, x, sample);
+                    let own = Sample { x, y, number: sample };
                     let trace = |observer: &mut Contributions<S::Light>| {
-                        traced.sample(right, up, &mut cache, observer)
+                        traced.sample(place, own, &mut cache, observer)
                     };
                     let Limited { lights, whole } = contributions.sample(&mut rays, trace);
                     for (sum, light) in sums.iter_mut().zip(lights.into_iter().chain([whole])) {
@@ -191,8 +197,9 @@ impl<S: picture::Format> Bench for Ready<S> {
             let pixel = |(x, _)| {
                 let mut sum = Rgb::BLACK;
                 for sample in 0..sampling.samples() {
-                    let (right, up) = sampling.place(lattice.raster, samples_of_row, x, sample);
-                    sum = add(&sampling, sum, traced.sample(right, up, &mut cache, &mut ()));
+                    let place = sampling.place(lattice.raster, samples_of_row, x, sample);
+                    let own = Sample { x, y, number: sample };
+                    sum = add(&sampling, sum, traced.sample(place, own, &mut cache, &mut ()));
                 }
                 sampling.mean(sum).map(single::<S>)
             };

@@ -1,7 +1,6 @@
 //! One case in one format, ray by ray beside `f64`.
 
 use fastrand::Rng;
-use rta_core::Scalar;
 use rta_core::color::Rgb;
 use rta_core::needs::Everything;
 use rta_core::range::Admitted;
@@ -10,6 +9,7 @@ use rta_core::vector::{UnitVec3, Vector};
 use rta_packets::tally::Tally;
 use rta_scenes::description::Description;
 use rta_scenes::in_format;
+use rta_scenes::narrow::Narrow;
 use rta_scenes::narrow::{Narrowed, narrow};
 use rta_scenes::shading::{AnyModel, Shade, any_model};
 
@@ -123,7 +123,7 @@ fn difference(got: Rgb<f32>, want: Rgb<f32>) -> Option<f64> {
 type AnyTracer<'a, S> = Tracer<'a, S, AnyModel<S>, Everything, { MAX_DEPTH as usize }>;
 
 /// A scene in one format with a tracer for each of the models that take turns (see [`stability`](super)).
-struct Side<'a, S: Scalar> {
+struct Side<'a, S: Narrow> {
     scene: &'a Narrowed<S>,
     admitted: &'a Admitted<'a, S>,
     tracers: Vec<AnyTracer<'a, S>>,

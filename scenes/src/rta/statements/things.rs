@@ -52,7 +52,7 @@ pub(super) const THINGS: &[Statement] = &[
                 0,
                 "corner",
                 &[V("corner", Vector(Any))],
-                "a parallelogram with this corner; drawn as a sphere of its area",
+                "a parallelogram with this corner; seen as a sphere of its area",
             )
             .tail(&[must(
                 "edges",
@@ -133,6 +133,12 @@ pub(super) const THINGS: &[Statement] = &[
                 &[V("gloss", Number(Gloss))],
                 "angle at which highlights have half their strength, for every model",
             ),
+            may(
+                "roughness",
+                &[V("roughness", Share)],
+                "of the facets that reflect and refract rays: 0 is a mirror, 1 is dull",
+            )
+            .default("0"),
             Part {
                 repeats: true,
                 ..may(

@@ -57,6 +57,7 @@ pub(super) fn material(own: &Material, text: &mut String) {
         ("mirror", own.mirror),
         ("exponent", own.exponent),
         ("gloss", own.gloss),
+        ("roughness", own.roughness),
     ] {
         words.maybe(number, |words, number| words.number(keyword, number));
     }

@@ -1,0 +1,52 @@
+//! The light of a lamp that has a size: shadow rays to places on it.
+
+use super::decision::glimpsed;
+use super::dice::{Dice, LampPlaces};
+use super::{Observer, Tracer};
+use crate::accelerator::Accelerator;
+use crate::color::Rgb;
+use crate::illumination::Illumination;
+use crate::light::Lamp;
+use crate::light::area::Glimpse;
+use crate::needs::Needs;
+use crate::scalar::{Light, Scalar, Unit};
+use crate::surface::Surface;
+
+impl<S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Accelerator<S>>
+    Tracer<'_, S, M, N, STACK, A>
+{
+    /// Returns the radiance that a surface sends back of lamp number `number`: the mean over `places` on it.
+    #[inline(never)]
+    pub(super) fn spread_light<D: Dice<S>, O: Observer<S> + ?Sized>(
+        &self,
+        surface: &Surface<S>,
+        (number, lamp): (usize, &Lamp<S>),
+        (dice, places): (&D, &LampPlaces),
+        memory: &mut A::Memory,
+        observer: &mut O,
+    ) -> Rgb<S::Light> {
+        let point = Lamp { radius: S::ZERO, ..*lamp };
+        let own = (lamp.radius, lamp.inverse_radius);
+        let from = (surface.point, surface.normal);
+        let share = S::Unit::fraction(1, places.count());
+        let mut light = Rgb::BLACK;
+        for k in 0..places.count() {
+            let pair = places.get(k);
+            let glimpse = match dice.square(number) {
+                Some(square) => Glimpse::of_square(&point, square, from, pair),
+                None => Some(Glimpse::of_sphere(&point, own, from, pair)),
+            };
+            let Some(Glimpse { place, lamp }) = glimpse else { continue };
+            let unhidden = glimpsed::<S, M, N>(&self.model, surface, &place, &lamp);
+            let part = self.unshadowed(surface, &place, unhidden, number, memory, observer);
+            observer.lamp(number, &lamp, unhidden, part);
+            light = light.plus(unhidden.map(|light| light.times(part.times(share))));
+        }
+        light
+    }
+}
+
+/// Returns whether a lamp is larger than a point for some dice: a sphere with a radius, or a parallelogram.
+pub(super) fn has_size<S: Scalar, D: Dice<S>>(dice: &D, number: usize, lamp: &Lamp<S>) -> bool {
+    lamp.radius > S::ZERO || dice.square(number).is_some()
+}

@@ -1,0 +1,51 @@
+//! Where the samples of a pixel lie, and what spreads their rays.
+
+use clap::{Args, ValueEnum};
+
+use super::choice;
+use crate::value::sampling::{LampsValue, Samples};
+
+/// Where the samples of a pixel lie, and what spreads their rays.
+#[derive(Args, Clone, Debug, Default)]
+pub struct SpreadingArgs {
+    /// Samples of a pixel: with --sampler grid 1, 4, 9, 16 ... 1024, with sobol a power of two up to 16384
+    ///
+    /// [default: what a .rta says, else 1 on a grid and 16 of sobol]
+    #[arg(long, value_name = "N", verbatim_doc_comment)]
+    pub samples: Option<Samples>,
+    /// Jitter the samples of a grid, each in its own cell, by this seed
+    #[arg(long, value_name = "SEED", value_parser = choice::whole(0..=u32::MAX))]
+    pub jitter: Option<u32>,
+    /// Where the samples of a pixel lie
+    ///
+    /// [default: sobol where something spreads rays: a lens, rough materials, --lamps; else grid]
+    #[arg(long, value_enum, ignore_case = true, verbatim_doc_comment)]
+    pub sampler: Option<SamplerKind>,
+    /// Seed of --sampler sobol: pictures with different seeds have different noise [default: 0]
+    #[arg(long, value_name = "N", value_parser = choice::whole(0..=u32::MAX))]
+    pub seed: Option<u32>,
+    /// How lamps with a radius or with edges are asked: point, fixed:K or area [default: point]
+    ///
+    /// As points in their middles, at K fixed places (a square number), or at places that differ from point to
+    /// point, so that shadows have soft edges.
+    #[arg(long, value_name = "LAMPS")]
+    pub lamps: Option<LampsValue>,
+    /// With --lamps area, shadow rays to a lamp from each point that the eye sees [default: 1]
+    #[arg(long, value_name = "N", value_parser = choice::whole(1_u16..=1024))]
+    pub split: Option<u16>,
+    /// Radius of the camera's lens, instead of what the scene says; 0 is a pinhole
+    #[arg(long, value_name = "LENGTH", value_parser = choice::length)]
+    pub aperture: Option<f64>,
+    /// Distance from the eye that is sharp, instead of what the scene says
+    #[arg(long, value_name = "LENGTH", value_parser = choice::distance)]
+    pub focus: Option<f64>,
+}
+
+/// Where the samples of a pixel lie.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum SamplerKind {
+    /// On a regular or jittered grid; nothing is spread
+    Grid,
+    /// At the places of a scrambled Sobol sequence, and rays are spread over lens, lamps and rough surfaces
+    Sobol,
+}

@@ -1,0 +1,71 @@
+//! Pictures whose rays are spread: over a lens, over lamps, and over the facets of rough surfaces. One ray at a time, with every model behind
+//! its pointer.
+
+use rta_core::color::Rgb;
+use rta_core::illumination::Illumination;
+use rta_core::raster::{Pixels, Raster};
+use rta_core::trace::dice::Sample;
+use rta_core::trace::{Distributed, Observer, Trace};
+use rta_scenes::narrow::Narrowed;
+use rta_scenes::sampler::Spreading;
+
+use super::{Format, MAX_DEPTH, Modelled, Picture, PutRow, Setup};
+use crate::cache::ShadowCache;
+use crate::packets::Packets;
+
+/// A picture whose rays are spread as `spreading` says; `still` is the one whose rays are not.
+pub(super) struct Spread<S: Format, M> {
+    pub(super) still: Modelled<S, M>,
+    pub(super) spreading: Spreading,
+}
+
+type Traced<'t, S, M> =
+    Distributed<'t, S, M, rta_core::needs::Everything, { MAX_DEPTH as usize }, &'t Packets>;
+
+impl<S: Format, M: Illumination<S> + Clone> Spread<S, M> {
+    /// Returns what `draw` makes of the tracer of the picture.
+    fn with_tracer<R>(&self, draw: impl FnOnce(&Traced<'_, S, M>) -> R) -> Option<R> {
+        let ready = &self.still.ready;
+        let admitted = ready.admitted();
+        let spread = ready.scene.spreads.spread(&self.spreading);
+        // There is a tracer: the depth was checked when the picture was made ready.
+        let tracer = self.still.tracer(&admitted)?;
+        Some(draw(&Distributed { tracer, spread: &spread, seed: self.spreading.samples.seed() }))
+    }
+}
+
+impl<S: Format, M: Illumination<S> + Clone> Picture<S> for Spread<S, M> {
+    fn rows(&self, first: u32, end: u32, put: PutRow<S>) {
+        let raster = self.setup().raster;
+        let (camera, samples) = (&self.scene().camera, self.spreading.samples);
+        self.with_tracer(|tracer| {
+            for y in first..end.min(raster.height()) {
+                let row = Pixels::sampled(tracer, camera, raster, samples, y, y + 1);
+                put(&row.collect::<Vec<_>>());
+            }
+        });
+    }
+
+    fn preview_rows(&self, raster: Raster, first: u32, end: u32, put: PutRow<S>) {
+        self.still.preview_rows(raster, first, end, put);
+    }
+
+    fn sample(
+        &self,
+        place: (S::Unit, S::Unit),
+        sample: Sample,
+        cache: &mut ShadowCache,
+        observer: &mut dyn Observer<S>,
+    ) -> Rgb<S::Light> {
+        let camera = &self.scene().camera;
+        self.with_tracer(|tracer| tracer.sample(camera, place, sample, cache, observer)).unwrap_or(Rgb::BLACK)
+    }
+
+    fn setup(&self) -> &Setup {
+        self.still.setup()
+    }
+
+    fn scene(&self) -> &Narrowed<S> {
+        self.still.scene()
+    }
+}

@@ -1,0 +1,89 @@
+//! Where the samples of a pixel lie, and what spreads their rays, as the options and the scene have it.
+
+use core::fmt;
+
+use rta_args::spreading::{SamplerKind, SpreadingArgs};
+use rta_args::value::sampling::{LampsValue, Samples};
+use rta_core::sampling::{Places, Sobol};
+use rta_scenes::description::Description;
+use rta_scenes::sampler::{Lamps, Sampler, Spreading};
+
+use super::error::RequestError;
+
+/// Samples of a pixel where rays are spread and neither the command line nor the scene says how many.
+const SPREAD: u32 = 16;
+
+/// Returns the sampler that the options ask for; where they leave it open, by the scene.
+///
+/// # Errors
+/// [`RequestError::Samples`] for a number that fills no grid, [`RequestError::OfGrid`] and [`RequestError::OfSobol`] for an option of the
+/// other sampler.
+pub fn sampler(asked: &SpreadingArgs, scene: Option<&Description>) -> Result<Sampler, RequestError> {
+    let lamps = asked.lamps.map_or(Lamps::Point, |LampsValue(lamps)| lamps);
+    let of_sobol = [
+        (lamps != Lamps::Point, "--lamps"),
+        (asked.seed.is_some(), "--seed"),
+        (asked.split.is_some(), "--split"),
+        (asked.aperture.is_some_and(|radius| radius > 0.0), "--aperture"),
+    ];
+    let of_sobol = of_sobol.into_iter().find_map(|(is_asked, option)| is_asked.then_some(option));
+    let spreads = || scene.is_some_and(|scene| spreads(asked, scene));
+    let natural = if asked.jitter.is_none() && (of_sobol.is_some() || spreads()) {
+        SamplerKind::Sobol
+    } else {
+        SamplerKind::Grid
+    };
+    let said = scene.and_then(|scene| scene.settings.samples).and_then(Samples::of);
+    let samples = asked.samples.or(said);
+    match (asked.sampler.unwrap_or(natural), of_sobol) {
+        (SamplerKind::Sobol, _) if asked.jitter.is_some() => Err(RequestError::OfGrid),
+        (SamplerKind::Grid, Some(option)) => Err(RequestError::OfSobol(option)),
+        (SamplerKind::Grid, None) => {
+            let samples = samples.unwrap_or(Samples::ONE);
+            let grid = samples.grid(asked.jitter);
+            Ok(Sampler::Grid(grid.map_err(|reason| RequestError::Samples { samples, reason })?))
+        }
+        (SamplerKind::Sobol, _) => {
+            let samples = samples.map_or(SPREAD, Samples::count);
+            let samples = Sobol::new(samples, asked.seed.unwrap_or(0)).ok_or(RequestError::OfGrid)?;
+            Ok(Sampler::Sobol(Spreading { samples, lamps, split: asked.split.unwrap_or(1) }))
+        }
+    }
+}
+
+/// Returns whether something in the scene spreads rays by itself: a lens or a rough material.
+fn spreads(asked: &SpreadingArgs, scene: &Description) -> bool {
+    let has_lens = asked.aperture.or(scene.optics.aperture).is_some_and(|aperture| aperture > 0.0);
+    has_lens || scene.materials.iter().any(|own| own.roughness.is_some_and(|roughness| roughness > 0.0))
+}
+
+/// Puts the lens of the options into a scene.
+pub fn put_lens(asked: (Option<f64>, Option<f64>), scene: &mut Description) {
+    let (aperture, focus) = asked;
+    if let Some(radius) = aperture {
+        scene.optics.aperture = Some(2.0 * radius).filter(|diameter| *diameter > 0.0);
+    }
+    scene.optics.focus = focus.or(scene.optics.focus);
+}
+
+/// What a caption says of the samples; nothing of one in the middle of the pixel.
+pub struct Told<'a>(pub &'a Sampler);
+
+impl fmt::Display for Told<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.0 {
+            Sampler::Grid(_) if *self.0 == Sampler::CENTER => Ok(()),
+            Sampler::Grid(grid) => {
+                let kind = if grid.is_jittered() { "jittered" } else { "regular" };
+                write!(f, ", {} {kind} samples a pixel", grid.samples())
+            }
+            Sampler::Sobol(Spreading { samples, lamps, split }) => {
+                write!(f, ", {} sobol samples a pixel, seed {}", samples.samples(), samples.seed())?;
+                match lamps {
+                    Lamps::Point => Ok(()),
+                    lamps => write!(f, ", lamps {}, split {split}", LampsValue(*lamps)),
+                }
+            }
+        }
+    }
+}

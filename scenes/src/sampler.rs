@@ -1,0 +1,93 @@
+//! Where the samples of a pixel lie, and what spreads their rays.
+
+use rta_core::color::Rgb;
+use rta_core::raster::Raster;
+use rta_core::sampling::{Places, Sampling, Sobol};
+use rta_core::scalar::{Light, Unit};
+pub use rta_core::trace::dice::Lamps;
+
+/// Where the samples of a pixel lie.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Sampler {
+    /// On a grid: nothing is spread, the lens is a pinhole, surfaces are smooth, and lamps are points.
+    Grid(Sampling),
+    /// At the places of a sequence, and their rays are spread.
+    Sobol(Spreading),
+}
+
+/// Samples whose rays are spread.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Spreading {
+    /// Number of samples and seed.
+    pub samples: Sobol,
+    /// How lamps with a size are asked for their light.
+    pub lamps: Lamps,
+    /// Places on a lamp that are asked for each point that the eye sees, 1 or more.
+    pub split: u16,
+}
+
+impl Sampler {
+    /// One sample, in the middle of the pixel.
+    pub const CENTER: Self = Self::Grid(Sampling::CENTER);
+
+    /// Returns whether the samples are jittered on a grid.
+    #[must_use]
+    pub const fn is_jittered(&self) -> bool {
+        match self {
+            Self::Grid(sampling) => sampling.is_jittered(),
+            Self::Sobol(_) => false,
+        }
+    }
+
+    /// Returns what spreads the rays, if anything does.
+    #[must_use]
+    pub const fn spreading(&self) -> Option<&Spreading> {
+        match self {
+            Self::Grid(_) => None,
+            Self::Sobol(spreading) => Some(spreading),
+        }
+    }
+}
+
+impl From<Sampling> for Sampler {
+    fn from(sampling: Sampling) -> Self {
+        Self::Grid(sampling)
+    }
+}
+
+impl Places for Sampler {
+    /// The number of the row.
+    type Row<U: Unit> = u32;
+
+    fn samples(&self) -> u32 {
+        match self {
+            Self::Grid(sampling) => sampling.samples(),
+            Self::Sobol(spreading) => spreading.samples.samples(),
+        }
+    }
+
+    fn row<U: Unit>(&self, _raster: Raster, y: u32) -> u32 {
+        y
+    }
+
+    fn place<U: Unit>(&self, raster: Raster, row: u32, x: u32, sample: u32) -> (U, U) {
+        match self {
+            Self::Grid(sampling) => sampling.place(raster, row, x, sample),
+            Self::Sobol(spreading) => spreading.samples.place(raster, row, x, sample),
+        }
+    }
+
+    fn add<L: Light>(&self, sum: Rgb<L>, light: Rgb<L>) -> Rgb<L> {
+        match self {
+            Self::Grid(sampling) => sampling.add(sum, light),
+            Self::Sobol(spreading) => spreading.samples.add(sum, light),
+        }
+    }
+
+    fn mean<L: Light>(&self, sum: Rgb<L>) -> Rgb<L> {
+        match self {
+            Self::Grid(sampling) => sampling.mean(sum),
+            Self::Sobol(spreading) => spreading.samples.mean(sum),
+        }
+    }
+}
