@@ -83,15 +83,24 @@ pub(crate) fn check(request: &[u8], pictures: &Pictures) -> Result<String, Failu
     Ok(summary(&request, &scene, setup))
 }
 
+/// What is said of a scene whose rays the program spreads.
+const SPREADS: &str =
+    "on a page no rays are spread: its lens is a pinhole here, and its rough materials are smooth";
+
+/// Returns whether rays would be spread in a scene: over a lens, or over the facets of rough materials.
+fn spreads(scene: &Description) -> bool {
+    let is_above = |size: Option<f64>| size.is_some_and(|size| size > 0.0);
+    is_above(scene.optics.aperture) || scene.materials.iter().any(|own| is_above(own.roughness))
+}
+
 /// Returns width, height, model, depth, whether anything moves, the number of frames and warnings, as JSON.
 fn summary(request: &Request, scene: &Description, setup: Setup) -> String {
-    let warnings = scene.warnings.iter().map(|warning| {
-        let line = Some(warning.line).filter(|line| *line > 0);
-        json::object([
-            ("line", json::or_null(line, |line| line.to_string())),
-            ("message", json::text(&warning.text)),
-        ])
-    });
+    let warning = |(line, text): (u32, &str)| {
+        let line = Some(line).filter(|line| *line > 0);
+        json::object([("line", json::or_null(line, |line| line.to_string())), ("message", json::text(text))])
+    };
+    let own = scene.warnings.iter().map(|warning| (warning.line, warning.text.as_str()));
+    let warnings = own.chain(spreads(scene).then_some((0, SPREADS))).map(warning);
     json::object([
         ("width", setup.raster.width().to_string()),
         ("height", setup.raster.height().to_string()),
@@ -264,6 +273,25 @@ mod tests {
         assert_eq!(failure.line, Some(4));
         assert!(failure.message.starts_with("frame 1, the instant 0.25: sphere 1"), "{failure}");
         assert!(start("instant 0", flight).is_ok() && start("instant 0.25", flight).is_err());
+    }
+
+    #[test]
+    fn what_the_program_would_spread_is_said() {
+        let told = |scene: &str| check(&request("vga 8 q16 auto auto sampled auto instant 0", scene), &NONE);
+        let camera = "rta 1\ncamera at 0 -8 2 look 0 1 0";
+        for (scene, is_spread) in [
+            (format!("{camera}\n"), false),
+            (format!("{camera} aperture .1\n"), true),
+            (
+                format!(
+                    "{camera}\nmaterial brushed roughness .3 mirror 1\nsphere at 0 0 1 radius 1 of brushed\n"
+                ),
+                true,
+            ),
+        ] {
+            let told = told(&scene).expect("a scene");
+            assert_eq!(told.contains("no rays are spread"), is_spread, "{scene}: {told}");
+        }
     }
 
     #[test]
