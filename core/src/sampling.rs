@@ -96,3 +96,8 @@ impl Places for Sampling {
         sum.map(|light| light.times(share))
     }
 }
+
+#[cfg(test)]
+#[cfg(feature = "f64")]
+#[allow(clippy::cast_possible_truncation, clippy::cast_precision_loss, clippy::indexing_slicing)] // tests
+mod tests;

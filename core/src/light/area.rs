@@ -114,3 +114,7 @@ impl<'l, S: Scalar> Glimpse<'l, S> {
         Some(Self { place: shown, lamp })
     }
 }
+
+#[cfg(test)]
+#[cfg(feature = "f64")]
+mod tests;

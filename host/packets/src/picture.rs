@@ -27,9 +27,11 @@ use crate::cache::ShadowCache;
 use crate::packets::Packets;
 use crate::rows::Rows;
 
+mod cut;
 mod spectral;
 mod spread;
 
+use cut::Cut;
 use spectral::Spectral;
 use spread::Spread;
 
@@ -180,6 +182,10 @@ macro_rules! formats {
                 model: Model,
                 setup: &Setup,
             ) -> Result<Box<dyn Picture<Self>>, PictureError> {
+                if let Sampler::Corners(cutting) = setup.sampling {
+                    let single = Self::picture(scene, model, &Setup { sampling: Sampler::CENTER, ..*setup })?;
+                    return Ok(Box::new(Cut { single, setup: *setup, cutting }));
+                }
                 let (ready, air) = (Ready::<$f>::new(scene, setup)?, &scene.air);
                 let limits = ready.limits;
                 let any = |scene: &_| Wavelengths::new(model, air, scene, limits);
