@@ -3,6 +3,7 @@
 use core::fmt;
 #[cfg(feature = "images")]
 use core::{cell::RefCell, panic::AssertUnwindSafe};
+use std::collections::btree_map::Entry;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 #[cfg(feature = "images")]
@@ -86,10 +87,10 @@ impl Description {
     ) -> Result<(), PictureError> {
         let named: Vec<_> = self.named_pictures().map(|(file, line)| (file.to_owned(), line)).collect();
         for (file, line) in named {
-            if !self.details.pictures.contains_key(&file) {
-                let failed = |reason| PictureError { path: (&file).into(), line, reason };
-                let pixels = picture(&file).map_err(failed)?;
-                self.details.pictures.insert(file, pixels);
+            if let Entry::Vacant(entry) = self.details.pictures.entry(file) {
+                let failed = |reason| PictureError { path: entry.key().into(), line, reason };
+                let pixels = picture(entry.key()).map_err(failed)?;
+                entry.insert(pixels);
             }
         }
         if let Some(sky) = self.details.sky_map.as_ref().and_then(|file| self.details.pictures.get(file)) {
