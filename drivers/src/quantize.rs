@@ -5,7 +5,7 @@
 //! | table | its entries | when they are known |
 //! | --- | --- | --- |
 //! | [`Uniform`] | a cube of evenly spaced levels | before any picture |
-//! | [`Palette`] | means of the picture's colours, by [`variance_cut`] | before the picture is drawn: from samples of it, or from an earlier run, in flash |
+//! | [`Palette`] | means of the picture's colours, by [`variance_cut`] | before the picture is drawn: from samples of it, or from an earlier run, in flash; from all of its pixels by [`refined`], the best, where there is memory for them |
 //! | [`Adaptive`], the thesis's | colours of the picture in the order in which they come | as the picture is drawn |
 //!
 //! Entry 0 is black in all of them. It is the background of a graPHIGS workstation, the border of a VGA screen (attribute
@@ -20,6 +20,7 @@
 
 mod adaptive;
 mod cut;
+mod k_means;
 mod palette;
 mod uniform;
 
@@ -29,6 +30,7 @@ use rta_core::color::Rgb;
 
 pub use adaptive::Adaptive;
 pub use cut::{BOXES_SIZE, MAX_SAMPLES, to_guns, variance_cut};
+pub use k_means::refined;
 pub use palette::Palette;
 pub use uniform::Uniform;
 

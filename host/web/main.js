@@ -1,24 +1,30 @@
 // The page: the text of a scene and settings, three displays, and the link that holds both.
 //
 // A worker checks what is typed; only what it admits is drawn, by one worker for each display. A drawing that is no longer wanted
-// ends with its worker.
+// ends with its worker. The frames of a film stay in memory as a display has them, indices and a colour table, and are shown over and over.
 
 const $ = (id) => document.getElementById(id);
-const SETTINGS = ['model', 'format', 'depth', 'table', 'dither', 'size'];
+const SETTINGS = ['model', 'format', 'depth', 'table', 'dither', 'size', 'motion', 'instant', 'frames', 'rate'];
 // After so many milliseconds without a key the text is looked at.
 const PAUSE = 150;
 // What a page shows unless its link says otherwise.
-const FIRST = { model: 'auto', format: 'q16', depth: 'auto', table: 'sampled', dither: 'auto', size: '1' };
+const FIRST = {
+  model: 'auto', format: 'q16', depth: 'auto', table: 'sampled', dither: 'auto', size: '1', motion: 'still', instant: '0', frames: '24', rate: '20',
+};
 
 const module = await WebAssembly.compileStreaming(fetch('rta.wasm')).catch((error) => {
   $('message').textContent = `the module rta.wasm cannot be loaded; host/web/build makes it: ${error.message}`;
   throw error;
 });
 
+// The picture files that the page was given, by name, as one worker has decoded them for all.
+const pictures = new Map();
+
 function worker(hear) {
   const made = new Worker('worker.js');
   made.onmessage = ({ data }) => hear(data);
   made.postMessage({ module });
+  pictures.forEach((contents, name) => made.postMessage({ kind: 'picture', name, contents }));
   return made;
 }
 
@@ -38,7 +44,7 @@ function swatch(color) {
   return made;
 }
 
-// A display: its picture, its colour table and the worker that draws it.
+// A display: its picture, its colour table and the worker that draws it. A picture is a film of one frame.
 
 class Display {
   constructor(about) {
@@ -56,6 +62,9 @@ class Display {
     this.busy = false;
     this.asked = false;
     this.pixel = null;
+    this.film = [];
+    this.frames = 1;
+    this.shown = 0;
   }
 
   tell(state, text) {
@@ -84,16 +93,19 @@ class Display {
     }
     if (started !== undefined) {
       // The picture before stays until rows come in its place, unless it has another size.
-      const { width, height } = started;
+      const { width, height, frames } = started;
       if (this.picture.width !== width || this.picture.height !== height) {
         Object.assign(this.picture, { width, height });
       }
+      this.frames = frames;
+      this.film = [];
     } else if (rows !== undefined) {
-      this.show(rows);
+      this.draws(rows);
     } else if (done) {
       this.busy = false;
       const seconds = ((performance.now() - this.begin) / 1000).toFixed(2);
-      this.tell('done', `${this.picture.width} x ${this.picture.height} pixels in ${seconds} s`);
+      const what = this.frames > 1 ? `${this.frames} frames of ` : '';
+      this.tell('done', `${what}${this.picture.width} x ${this.picture.height} pixels in ${seconds} s`);
     } else if (explained !== undefined) {
       explain(this.about.name, explained);
       this.answered();
@@ -109,20 +121,59 @@ class Display {
     }
   }
 
-  show({ first, pixels, colors }) {
+  // Rows of a frame: the first frame is shown as it is drawn, the others once they are complete.
+  draws({ frame, first, indices, colors }) {
     const { width, height } = this.picture;
-    this.picture.getContext('2d').putImageData(new ImageData(pixels, width), 0, first);
-    const image = new ImageData(this.table.width, this.table.height);
-    for (let entry = 0; entry < colors.length / 3; entry += 1) {
-      image.data.set([...colors.subarray(3 * entry, 3 * entry + 3), 255], 4 * entry);
+    if (first === 0) {
+      this.film.push({ indices: new Uint8Array(width * height), colors });
     }
-    this.table.getContext('2d').putImageData(image, 0, 0);
-    const done = first + pixels.length / width / 4;
-    this.tell('drawing', `row ${done} of ${height}, ${colors.length / 3} colours`);
+    const coming = this.film.at(-1);
+    coming.indices.set(indices, first * width);
+    coming.colors = colors;
+    const done = first + indices.length / width;
+    if (frame === 0) {
+      this.show(0, first, indices, colors);
+    } else if (done === height) {
+      this.show(frame, 0, coming.indices, colors);
+    }
+    const which = this.frames > 1 ? `frame ${frame + 1} of ${this.frames}, ` : '';
+    this.tell('drawing', `${which}row ${done} of ${height}, ${colors.length / 3} colours`);
+  }
+
+  // Shows rows of a frame by its colour table, as the display's converter does, and the table.
+  show(frame, first, indices, colors) {
+    this.shown = frame;
+    this.figure.dataset.frame = frame;
+    const table = new ImageData(this.table.width, this.table.height);
+    for (let entry = 0; entry < colors.length / 3; entry += 1) {
+      table.data.set([...colors.subarray(3 * entry, 3 * entry + 3), 255], 4 * entry);
+    }
+    this.table.getContext('2d').putImageData(table, 0, 0);
+    const { width } = this.picture;
+    const image = new ImageData(width, indices.length / width);
+    const [entries, pixels] = [table, image].map(({ data }) => new Uint32Array(data.buffer));
+    for (let pixel = 0; pixel < indices.length; pixel += 1) {
+      pixels[pixel] = entries[indices[pixel]];
+    }
+    this.picture.getContext('2d').putImageData(image, 0, first);
+  }
+
+  // Shows the frame of a film whose turn it is, the frames shown so far being counted by one clock for all displays.
+  turn(count) {
+    const frame = count % this.frames;
+    if (!this.busy && this.film.length === this.frames && frame !== this.shown) {
+      const { indices, colors } = this.film[frame];
+      this.show(frame, 0, indices, colors);
+    }
   }
 
   // Asks for the pixel under the mouse; while an answer is awaited, only the last pixel is kept.
   point({ offsetX, offsetY }) {
+    if (this.frames > 1) {
+      const said = 'A film plays. In the picture of an instant, the pixel under the mouse is explained here.';
+      $('explanation').replaceChildren(element('h2', { textContent: said }));
+      return;
+    }
     const { width, height, clientWidth, clientHeight } = this.picture;
     const along = (at, length, pixels) => Math.min(Math.max(Math.floor((at * pixels) / length), 0), pixels - 1);
     this.pixel = { x: along(offsetX, clientWidth, width), y: along(offsetY, clientHeight, height) };
@@ -222,8 +273,9 @@ let pause;
 
 const request = (name) => {
   const setting = Object.fromEntries(SETTINGS.map((one) => [one, $(one).value]));
-  const { size, format, model, depth, table, dither } = setting;
-  return `${name} ${size} ${format} ${model} ${depth} ${table} ${dither}\n${$('text').value}`;
+  const { size, format, model, depth, table, dither, motion, instant, frames } = setting;
+  const time = motion === 'film' ? `frames ${frames}` : `instant ${instant}`;
+  return `${name} ${size} ${format} ${model} ${depth} ${table} ${dither} ${time}\n${$('text').value}`;
 };
 
 // Has the text checked, and drawn if nothing is wrong with it. What is drawn is what was checked.
@@ -242,16 +294,27 @@ function look() {
   checker.postMessage({ job: 0, kind: 'check', request: requests[0] });
 }
 
-function checked({ checked: fine, failed, choices }) {
+function checked({ job, checked: fine, failed, choices, kept }) {
   if (choices !== undefined) {
-    offer(choices);
+    // A checker that takes the place of another has nothing to offer that is new.
+    if (displays.length === 0) {
+      offer(choices);
+    }
+    return;
+  }
+  if (failed?.ended) {
+    checker.terminate();
+    checker = worker(checked);
+  }
+  if (kept !== undefined || (failed && job !== 0)) {
+    given(job, kept, failed);
+    if (failed?.ended && checking) {
+      checking = false;
+      look();
+    }
     return;
   }
   checking = false;
-  if (failed?.ended) {
-    checker.terminate();
-    checker = worker(checkedAgain);
-  }
   if (again) {
     look();
     return;
@@ -268,15 +331,62 @@ function checked({ checked: fine, failed, choices }) {
     // What `auto` stands for.
     $('model').options[0].textContent = $('model').value === 'auto' ? `the scene's: ${fine.model}` : "the scene's";
     $('depth').options[0].textContent = $('depth').value === 'auto' ? `the scene's: ${fine.depth}` : "the scene's";
+    move(fine.moves);
     displays.forEach((display, index) => display.draw(checker.requests[index]));
   }
 }
 
-// A checker that takes the place of another has nothing to offer that is new.
-function checkedAgain(data) {
-  if (data.choices === undefined) {
-    checked(data);
+// Lets instants and films be chosen where something moves, and else says why not.
+function move(moves) {
+  const film = $('motion').value === 'film';
+  $('motion').disabled = !moves;
+  $('instant').disabled = !moves || film;
+  $('frames').disabled = !moves || !film;
+  $('rate').disabled = !moves || !film;
+  $('moves').textContent = moves ? '' : 'nothing moves in this scene: it has no path';
+}
+
+function play(now) {
+  const count = Math.floor((now * Number($('rate').value)) / 1000);
+  displays.forEach((display) => display.turn(count));
+  requestAnimationFrame(play);
+}
+
+// Files: pictures that the scene names, and scenes.
+
+const SCENE = /\.(rta|dat|nff|p3f)$/i;
+
+// Has each picture decoded, and takes the last scene for the text. The job of a picture is its name.
+async function take(files) {
+  $('given').replaceChildren([...pictures.keys()].join(', '));
+  for (const file of files) {
+    if (SCENE.test(file.name)) {
+      $('text').value = await file.text();
+      $('text').scrollTop = 0;
+      edited();
+    } else {
+      const contents = new Uint8Array(await file.arrayBuffer());
+      checker.postMessage({ job: file.name, kind: 'picture', name: file.name, contents }, [contents.buffer]);
+    }
   }
+}
+
+// Hears of a picture: one that a worker has taken because the page has it already, one that is new, or one that failed.
+function given(name, kept, failed) {
+  if (name === undefined) {
+    return;
+  }
+  if (failed) {
+    const message = failed.ended ? `the picture ${name} is broken: ${failed.message}` : failed.message;
+    $('given').append(' ', element('span', { className: 'error', textContent: message }));
+    return;
+  }
+  const { contents } = kept;
+  pictures.set(name, contents);
+  displays.forEach((display) => display.worker?.postMessage({ kind: 'picture', name, contents }));
+  const errors = [...$('given').children].flatMap((error) => [' ', error]);
+  $('given').replaceChildren([...pictures.keys()].join(', '), ...errors);
+  look();
 }
 
 // The link: the settings, and the name of a shipped scene or a text, deflated.
@@ -325,6 +435,7 @@ async function follow() {
     if ($(name).selectedIndex < 0) {
       $(name).value = FIRST[name];
     }
+    confine(name);
   }
   let text = (shipped.find(({ name }) => name === words.get('scene')) ?? shipped[0]).text;
   if (words.has('text')) {
@@ -337,6 +448,16 @@ async function follow() {
   }
   $('text').value = text;
   edited();
+}
+
+// Makes a number one that the module takes.
+function confine(name) {
+  const { type, min, max, step } = $(name);
+  if (type === 'number') {
+    const number = $(name).valueAsNumber;
+    const whole = step === '1' ? Math.round(number) : number;
+    $(name).value = Number.isNaN(number) ? FIRST[name] : Math.min(Math.max(whole, min), max);
+  }
 }
 
 function edited() {
@@ -361,6 +482,9 @@ function offer(choices) {
   options('depth', [['auto', "the scene's"], ...Array.from({ length: choices.depth + 1 }, (_, depth) => [String(depth)])]);
   options('table', choices.tables.map((name) => [name]));
   options('dither', [['auto', 'what suits'], ...choices.dithers.map((name) => [name])]);
+  options('motion', [['still', 'an instant'], ['film', 'a film']]);
+  $('frames').max = choices.frames;
+  $('rate').max = choices.rate;
   options('size', [['1', 'whole'], ['2', 'half'], ['4', 'a quarter'], ['8', 'an eighth']]);
   for (const about of choices.displays) {
     const display = new Display(about);
@@ -368,8 +492,24 @@ function offer(choices) {
     $('displays').append(display.figure);
   }
   SETTINGS.forEach((name) => {
-    $(name).onchange = edited;
+    $(name).onchange = () => {
+      confine(name);
+      edited();
+    };
   });
+  $('motion').onchange = () => {
+    // A film stops where it is.
+    const [{ shown, frames }] = displays;
+    if ($('motion').value === 'still' && frames > 1) {
+      $('instant').value = shown / frames;
+    }
+    edited();
+  };
+  // How quickly a film is shown changes none of its frames.
+  $('rate').onchange = () => {
+    confine('rate');
+    link();
+  };
   $('scene').onchange = () => {
     const scene = shipped.find(({ name }) => name === $('scene').value);
     if (scene !== undefined) {
@@ -377,6 +517,16 @@ function offer(choices) {
       $('text').scrollTop = 0;
       edited();
     }
+  };
+  $('files').onchange = async () => {
+    await take([...$('files').files]);
+    // So that the same file can be chosen again when it has changed.
+    $('files').value = '';
+  };
+  ondragover = (event) => event.preventDefault();
+  ondrop = (event) => {
+    event.preventDefault();
+    take([...event.dataTransfer.files]);
   };
   $('text').oninput = () => {
     number();
@@ -390,6 +540,7 @@ function offer(choices) {
   };
   onhashchange = follow;
   follow();
+  requestAnimationFrame(play);
 }
 
 checker = worker(checked);

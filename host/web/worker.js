@@ -1,8 +1,8 @@
-// A worker with a module of its own: it checks a scene, or draws one and explains its pixels.
+// A worker with a module of its own: it checks a scene, or draws one, as a picture or as the frames of a film, and explains its pixels.
 //
-// Messages in: { module } first; then { job, kind: 'check' | 'start', request } with the text that the module reads, or
-// { job, kind: 'explain', x, y }. Messages out: { choices } first; then { job } with one of checked, started, rows, done,
-// explained and failed.
+// Messages in: { module } first; then { job, kind: 'check' | 'start', request } with the text that the module reads,
+// { job, kind: 'explain', x, y }, or { job, kind: 'picture', name, contents } with a picture file. Messages out: { choices } first; then { job }
+// with one of checked, started, rows, done, explained, kept and failed.
 
 // Rows are sent when so many milliseconds have passed: the page shows them, and the worker reads its messages.
 const SLICE = 40;
@@ -15,7 +15,8 @@ turn.port1.onmessage = () => next();
 
 const memory = (address, length) => new Uint8Array(module.memory.buffer, address, length);
 const bytes = () => memory(module.output(), module.output_len()).slice();
-const json = () => JSON.parse(new TextDecoder().decode(bytes()));
+const parsed = (answer) => JSON.parse(new TextDecoder().decode(answer));
+const json = () => parsed(bytes());
 
 // Throws the answer of a call that failed.
 function answered(status) {
@@ -25,12 +26,14 @@ function answered(status) {
 }
 
 // Writes a request and has it answered.
-function ask(name, request) {
+function ask(name, request, contents = []) {
   const text = new TextEncoder().encode(request);
-  const address = module.alloc(text.length);
-  memory(address, text.length).set(text);
+  const address = module.alloc(text.length + contents.length);
+  const input = memory(address, text.length + contents.length);
+  input.set(text);
+  input.set(contents, text.length);
   answered(module[name]());
-  return json();
+  return bytes();
 }
 
 // Does the rest of the drawing after the messages that wait.
@@ -39,21 +42,28 @@ function later(job, act) {
   turn.port2.postMessage(null);
 }
 
-// Draws rows from `first` on for a while.
-function draw(job, { width, height }, first) {
+// Draws rows of a frame from `first` on for a while; a picture is a film of one frame.
+function draw(job, film, frame, first) {
+  const { width, height, frames } = film;
   const end = performance.now() + SLICE;
+  if (first === 0 && frame > 0) {
+    answered(module.frame(frame));
+  }
   const rows = [];
   do {
     answered(module.row(first + rows.length));
     rows.push(bytes());
   } while (first + rows.length < height && performance.now() < end);
-  const pixels = new Uint8ClampedArray(rows.length * width * 4);
-  rows.forEach((row, index) => pixels.set(row, index * width * 4));
+  const indices = new Uint8Array(rows.length * width);
+  rows.forEach((row, index) => indices.set(row, index * width));
   answered(module.colors());
   const colors = bytes();
-  postMessage({ job, rows: { first, pixels, colors } }, [pixels.buffer, colors.buffer]);
-  if (first + rows.length < height) {
-    later(job, () => draw(job, { width, height }, first + rows.length));
+  postMessage({ job, rows: { frame, first, indices, colors } }, [indices.buffer, colors.buffer]);
+  const next = first + rows.length;
+  if (next < height) {
+    later(job, () => draw(job, film, frame, next));
+  } else if (frame + 1 < frames) {
+    later(job, () => draw(job, film, frame + 1, 0));
   } else {
     postMessage({ job, done: true });
   }
@@ -72,13 +82,17 @@ function guarded(job, act, kind = 'draw') {
 
 const kinds = {
   check({ job, request }) {
-    postMessage({ job, checked: ask('check', request) });
+    postMessage({ job, checked: parsed(ask('check', request)) });
   },
   start({ job, request }) {
     next = () => {};
-    const started = ask('start', request);
+    const started = parsed(ask('start', request));
     postMessage({ job, started });
-    later(job, () => draw(job, started, 0));
+    later(job, () => draw(job, started, 0, 0));
+  },
+  picture({ job, name, contents }) {
+    const ppm = ask('picture_file', `${name}\n`, contents);
+    postMessage({ job, kept: { name, contents: ppm } });
   },
   explain({ job, x, y }) {
     answered(module.explain(x, y));

@@ -56,7 +56,7 @@ impl core::error::Error for PictureError {}
 
 impl Description {
     /// Returns the picture files that the scene names, each with the line that names it; 0 for the sky's.
-    fn named_pictures(&self) -> impl Iterator<Item = (&str, u32)> {
+    pub fn named_pictures(&self) -> impl Iterator<Item = (&str, u32)> {
         let textures = self.textures.iter().filter_map(|texture| match &texture.pattern {
             Pattern::Image { file, .. } => Some((file.as_str(), texture.line)),
             _ => None,
@@ -70,21 +70,34 @@ impl Description {
     /// # Errors
     /// The first picture that is not there, or broken, or larger than [`LARGEST_SIDE`].
     pub fn load_pictures(&mut self, folder: &Path, most: u32) -> Result<Vec<PathBuf>, PictureError> {
+        let files = self.named_pictures().map(|(file, _)| folder.join(file)).collect();
+        self.take_pictures(|file| Ok(Arc::new(open(&folder.join(file))?.reduced(most))))
+            .map_err(|error| PictureError { path: folder.join(&error.path), ..error })?;
+        Ok(files)
+    }
+
+    /// Takes the pictures that the scene names from wherever they are, which `picture` knows by the names of their files or says why not: see
+    /// [`decode`] and [`Pixels::reduced`]. Each is asked for once.
+    ///
+    /// # Errors
+    /// The first picture that is not had.
+    pub fn take_pictures(
+        &mut self,
+        mut picture: impl FnMut(&str) -> Result<Arc<Pixels>, String>,
+    ) -> Result<(), PictureError> {
         let named: Vec<_> = self.named_pictures().map(|(file, line)| (file.to_owned(), line)).collect();
-        let mut files = Vec::new();
         for (file, line) in named {
-            let path = folder.join(&file);
             if let Entry::Vacant(entry) = self.details.pictures.entry(file) {
-                let failed = |reason| PictureError { path: path.clone(), line, reason };
-                entry.insert(Arc::new(open(&path).map_err(failed)?.reduced(most)));
+                let failed = |reason| PictureError { path: entry.key().into(), line, reason };
+                let pixels = picture(entry.key()).map_err(failed)?;
+                entry.insert(pixels);
             }
-            files.push(path);
         }
         if let Some(sky) = self.details.sky_map.as_ref().and_then(|file| self.details.pictures.get(file)) {
             // For what asks the sky without a direction, such as haze.
             (self.sky.horizon, self.sky.zenith) = (sky.mean(sky.height / 2), sky.mean(0));
         }
-        Ok(files)
+        Ok(())
     }
 }
 
@@ -119,12 +132,9 @@ pub fn decoded() -> Option<PathBuf> {
 /// Reads a picture from the bytes of a file. The format is what they begin with, or else, as a TGA file does not say what it is, the ending of
 /// `name`. Memory beside the file's own bytes, which may be held twice, is bounded by `largest`, whatever the file says of itself.
 ///
-/// For the fuzz target; scenes have [`Description::load_pictures`].
-///
 /// # Errors
 /// A reason in one line: no picture, a broken one, or one without pixels or with more than `largest` on a side.
 #[cfg(feature = "images")]
-#[doc(hidden)]
 pub fn decode(file: impl BufRead + Seek, name: &Path, largest: u32) -> Result<Pixels, String> {
     // The decoder of JPEG files panics at some broken ones, most of all in debug builds, where it checks itself more. A program whose panics
     // abort, as those of this workspace's release builds do, ends there: its panic hook can ask for [`decoded`]. What a panic leaves half done is dropped.

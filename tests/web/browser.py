@@ -72,6 +72,12 @@ class Browser:
         move = {"type": "pointerMove", "duration": 0, "origin": found, "x": round(x), "y": round(y)}
         self.call("POST", "/actions", {"actions": [{"type": "pointer", "id": "mouse", "actions": [move]}]})
 
+    def choose_files(self, selector, paths):
+        """Chooses files in a file field."""
+        found = self.call("POST", "/element", {"using": "css selector", "value": selector})
+        (element,) = found.values()
+        self.call("POST", f"/element/{element}/value", {"text": "\n".join(map(str, paths))})
+
     def messages(self):
         """The console's messages since they were asked for last."""
         return [entry["message"] for entry in self.call("POST", "/se/log", {"type": "browser"})]

@@ -50,6 +50,21 @@ pub fn variance_cut(
     if gun_max == 0 {
         return Err(TableError::Guns);
     }
+    let samples = rounded(memory, light, width, gun_max)?;
+    Palette::new(means(samples, usize::from(colors) - 1), gun_max)
+}
+
+/// Rounds samples of a picture, row by row on a grid `width` samples wide, to levels 0..=`gun_max` of a display's guns, as
+/// [`variance_cut`] says. Returns those that there is memory for.
+///
+/// # Errors
+/// [`TableError::Samples`] for none or for more than [`MAX_SAMPLES`].
+pub(super) fn rounded(
+    memory: &mut [Rgb<u8>],
+    light: impl IntoIterator<Item = Rgb<u8>>,
+    width: u32,
+    gun_max: u8,
+) -> Result<&mut [Rgb<u8>], TableError> {
     let (mut x, mut y, mut len) = (0, 0, 0);
     for (sample, light) in memory.iter_mut().zip(light) {
         *sample = to_guns(light, x, y, gun_max);
@@ -63,7 +78,7 @@ pub fn variance_cut(
     if samples.is_empty() || samples.len() > MAX_SAMPLES {
         return Err(TableError::Samples { samples: len });
     }
-    Palette::new(means(samples, usize::from(colors) - 1), gun_max)
+    Ok(samples)
 }
 
 /// Returns a colour, 8 bits a gun, as levels 0..=`gun_max` of a display's guns, as [`variance_cut`] takes it for the sample in column `x` of row
@@ -120,7 +135,7 @@ fn range(parts: &[Part], index: usize) -> (Bound<usize>, Bound<usize>) {
 
 /// Sums over colours.
 #[derive(Clone, Copy, Default)]
-struct Sums {
+pub(super) struct Sums {
     count: u32,
     /// At most 255 * 2^20 each.
     guns: Rgb<u32>,
@@ -138,13 +153,23 @@ impl Sums {
         self.guns = self.guns.zip(color, |sum, level| sum + u32::from(level));
     }
 
+    /// Adds a colour that is there `count` times.
+    pub(super) fn add_equal(&mut self, color: Rgb<u8>, count: u32) {
+        self.count += count;
+        self.guns = self.guns.zip(color, |sum, level| sum + count * u32::from(level));
+    }
+
+    pub(super) fn is_empty(self) -> bool {
+        self.count == 0
+    }
+
     /// Returns the sums without those of some of the colours.
     fn without(self, part: Self) -> Self {
         Self { count: self.count - part.count, guns: self.guns.zip(part.guns, |sum, part| sum - part) }
     }
 
-    /// Returns the mean, rounded to the nearest level.
-    fn mean(self) -> Rgb<u8> {
+    /// Returns the mean, rounded to the nearest level; black for no colours.
+    pub(super) fn mean(self) -> Rgb<u8> {
         let count = self.count.max(1);
         // A mean of bytes is a byte.
         self.guns.map(|sum| ((sum + count / 2) / count).to_le_bytes()[0])

@@ -5,7 +5,7 @@ use std::collections::HashSet;
 use rta_core::color::Rgb;
 use rta_drivers::display::{expand, reduce};
 use rta_drivers::quantize::{
-    BACKGROUND, ColorTable, MAX_SAMPLES, Palette, TableError, distance, nearest, variance_cut,
+    BACKGROUND, ColorTable, MAX_SAMPLES, Palette, TableError, distance, nearest, refined, variance_cut,
 };
 
 use crate::scattered;
@@ -126,6 +126,38 @@ fn a_sky_between_two_levels_gets_both() {
     for level in [85, 102] {
         assert!(palette.entries().contains(&Rgb::new(level, level, level)), "{:?}", palette.entries());
     }
+}
+
+#[test]
+fn refined_entries_are_the_means_of_their_samples() {
+    let gray = |level| Rgb::new(level, level, level);
+    let light = |level| gray(expand(level, 63));
+    let samples = [[light(10); 3], [light(14); 3], [light(60); 3]].concat();
+    let mut memory = [BLACK; 9];
+    let mut refine =
+        |palette| refined(palette, &mut memory, samples.iter().copied(), 3, 63).expect("a palette");
+    let got = refine(Palette::new(&[gray(20), gray(40)], 63).expect("a palette"));
+    assert_eq!(got.levels(63).collect::<Vec<_>>(), [gray(0), gray(12), gray(60)]);
+    assert_eq!(refine(got.clone()).entries(), got.entries());
+    // An entry without samples stays where it is.
+    let got = refine(Palette::new(&[gray(12), gray(60), gray(63)], 63).expect("a palette"));
+    assert_eq!(got.levels(63).collect::<Vec<_>>(), [gray(0), gray(12), gray(60), gray(63)]);
+}
+
+#[test]
+fn a_refined_palette_is_nearer_to_the_samples_whatever_their_order() {
+    for (colors, gun_max) in [(16, 255), (128, 63), (256, 255)] {
+        let samples = scattered(4096, 255);
+        let begin = made(&samples, 64, colors, gun_max);
+        let refine = |light: &mut dyn Iterator<Item = Rgb<u8>>| {
+            refined(begin.clone(), &mut vec![BLACK; 4096], light, 64, gun_max).expect("a palette")
+        };
+        let got = refine(&mut samples.iter().copied());
+        assert!(error(&got, &samples) < error(&begin, &samples), "{colors}");
+        assert_eq!(got.entries(), refine(&mut samples.iter().rev().copied()).entries());
+    }
+    let none = Palette::new(&[], 63).expect("black");
+    assert_eq!(refined(none, &mut [], [], 1, 63).unwrap_err(), TableError::Samples { samples: 0 });
 }
 
 #[test]

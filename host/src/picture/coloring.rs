@@ -1,14 +1,12 @@
 //! How a device's few colours stand for a picture's many: the kind of colour table, and the dithering.
 
-mod k_means;
-
 use core::fmt;
 
 use rta_core::color::Rgb;
 use rta_core::raster::lattice::Lattice;
 use rta_drivers::display::Capabilities;
 use rta_drivers::dither::{Cell, Damped, Diffusion, Dither, FloydSteinberg, Ordered, Plain};
-use rta_drivers::quantize::{Adaptive, ColorTable, MAX_SAMPLES, TableError, Uniform, to_guns, variance_cut};
+use rta_drivers::quantize::{Adaptive, ColorTable, MAX_SAMPLES, TableError, Uniform, refined, variance_cut};
 
 use super::device::Device;
 use super::raster::Size;
@@ -70,14 +68,13 @@ impl Coloring {
     ) -> Result<Box<dyn ColorTable + Send>, TableError> {
         let Capabilities { colors, gun_max, .. } = device;
         let mut memory = vec![Rgb::default(); samples.len()];
-        let mut cut = || variance_cut(&mut memory, samples.iter().copied(), width, colors, gun_max);
+        let light = || samples.iter().copied();
+        let mut cut = || variance_cut(&mut memory, light(), width, colors, gun_max);
         Ok(match self.table {
             TableKind::Sampled | TableKind::Baked => Box::new(cut()?),
             TableKind::Frame => {
-                let place = |i: u32| (i % width.max(1), i / width.max(1));
-                let levels =
-                    (0..).map(place).zip(samples).map(|((x, y), &light)| to_guns(light, x, y, gun_max));
-                Box::new(k_means::refined(cut()?, levels, gun_max)?)
+                let begin = cut()?;
+                Box::new(refined(begin, &mut memory, light(), width, gun_max)?)
             }
             TableKind::Tolerant => Box::new(Adaptive::tolerant(colors, gun_max)?),
             TableKind::Adaptive => Box::new(Adaptive::new(colors)?),

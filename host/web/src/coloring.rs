@@ -2,7 +2,9 @@
 
 use rta_core::color::Rgb;
 use rta_drivers::display::Capabilities;
-use rta_drivers::quantize::{Adaptive, ColorTable, MAX_SAMPLES, SAMPLES, TableError, Uniform, variance_cut};
+use rta_drivers::quantize::{
+    Adaptive, ColorTable, MAX_SAMPLES, SAMPLES, TableError, Uniform, refined, variance_cut,
+};
 
 /// How the entries of the colour table are chosen.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -11,6 +13,8 @@ pub(crate) enum TableKind {
     Sampled,
     /// Made from all pixels of the picture, as far as there is memory for them.
     Baked,
+    /// Made from all pixels and moved to where it is best for them.
+    Frame,
     /// Built while the picture is drawn; what is nearly an entry shares it.
     Tolerant,
     /// Built while the picture is drawn.
@@ -34,9 +38,10 @@ pub(crate) enum DitherKind {
 
 impl TableKind {
     /// All kinds with their names.
-    pub(crate) const ALL: [(&str, Self); 5] = [
+    pub(crate) const ALL: [(&str, Self); 6] = [
         ("sampled", Self::Sampled),
         ("baked", Self::Baked),
+        ("frame", Self::Frame),
         ("tolerant", Self::Tolerant),
         ("adaptive", Self::Adaptive),
         ("uniform", Self::Uniform),
@@ -46,7 +51,7 @@ impl TableKind {
     pub(crate) const fn samples(self) -> usize {
         match self {
             Self::Sampled => SAMPLES,
-            Self::Baked => MAX_SAMPLES,
+            Self::Baked | Self::Frame => MAX_SAMPLES,
             Self::Tolerant | Self::Adaptive | Self::Uniform => 0,
         }
     }
@@ -63,10 +68,14 @@ impl TableKind {
         width: u32,
     ) -> Result<Table, TableError> {
         let Capabilities { colors, gun_max, .. } = *display;
+        let mut memory = vec![Rgb::default(); samples.len()];
+        let light = || samples.iter().copied();
+        let mut cut = || variance_cut(&mut memory, light(), width, colors, gun_max);
         Ok(Table(match self {
-            Self::Sampled | Self::Baked => {
-                let mut memory = vec![Rgb::default(); samples.len()];
-                Box::new(variance_cut(&mut memory, samples.iter().copied(), width, colors, gun_max)?)
+            Self::Sampled | Self::Baked => Box::new(cut()?),
+            Self::Frame => {
+                let begin = cut()?;
+                Box::new(refined(begin, &mut memory, light(), width, gun_max)?)
             }
             Self::Tolerant => Box::new(Adaptive::tolerant(colors, gun_max)?),
             Self::Adaptive => Box::new(Adaptive::new(colors)?),

@@ -2,7 +2,6 @@
 
 use core::fmt::Write;
 
-use rta_core::Scalar;
 use rta_core::color::Rgb;
 use rta_core::light::Incident;
 use rta_core::material::Material;
@@ -49,7 +48,7 @@ struct Step {
 }
 
 /// The observer that records the rays of a pixel.
-pub(crate) struct Recorder<'a, S: Scalar> {
+pub(crate) struct Recorder<'a, S: Narrow> {
     scene: &'a Narrowed<S>,
     explanation: Explanation,
 }

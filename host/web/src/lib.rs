@@ -2,8 +2,9 @@
 //!
 //! Everything goes through two buffers in the module's memory. The page asks for room with [`alloc`], writes a request there and
 //! calls [`check`] or [`start`]; each answer lies at [`output`], [`output_len`] bytes long. A request is a line of settings and the
-//! scene's text: `vga 1 q16 auto 5 sampled none`, the display, by how much its raster is divided, number format, illumination model, depth,
-//! colour table and dithering, of which model, depth and dithering may be `auto`; [`choices`] lists them.
+//! scene's text: `vga 1 q16 auto 5 sampled none instant 0`, the display, by how much its raster is divided, number format, illumination
+//! model, depth, colour table, dithering and the instant, of which model, depth and dithering may be `auto`; [`choices`] lists them. A request that
+//! ends in `frames 24` asks for a film, whose frames [`frame`] begins one after the other.
 //!
 //! Functions that can fail return 0, or 1 for an error; then the answer is the error as JSON: `line` and `column` in the scene, or null, and
 //! `message`. Nothing panics, whatever the page asks in whatever order.
@@ -13,6 +14,7 @@ mod explain;
 mod failure;
 mod json;
 mod picture;
+mod pictures;
 mod request;
 mod screen;
 mod session;
@@ -20,6 +22,7 @@ mod session;
 use core::cell::RefCell;
 
 use failure::Failure;
+use pictures::Pictures;
 use session::Session;
 
 std::thread_local! {
@@ -27,16 +30,17 @@ std::thread_local! {
     static MODULE: RefCell<Module> = const { RefCell::new(Module::new()) };
 }
 
-/// The two buffers and the picture.
+/// The two buffers, the picture, and the picture files that scenes may name.
 struct Module {
     input: Vec<u8>,
     output: Vec<u8>,
+    pictures: Pictures,
     session: Option<Session>,
 }
 
 impl Module {
     const fn new() -> Self {
-        Self { input: Vec::new(), output: Vec::new(), session: None }
+        Self { input: Vec::new(), output: Vec::new(), pictures: Pictures::new(), session: None }
     }
 
     /// Keeps an answer for the page. Returns 0, or 1 for an error.
@@ -61,7 +65,7 @@ fn with<R>(act: impl FnOnce(&mut Module) -> R) -> R {
     MODULE.with_borrow_mut(act)
 }
 
-/// Makes room for a request of `len` bytes and returns its address. It holds for the next call of [`check`] or [`start`].
+/// Makes room for a request of `len` bytes and returns its address. It holds for the next call of [`picture_file`], [`check`] or [`start`].
 #[unsafe(no_mangle)]
 #[allow(unsafe_code, reason = "the name is exported; no other function of the module has it")]
 pub extern "C" fn alloc(len: usize) -> *mut u8 {
@@ -72,24 +76,36 @@ pub extern "C" fn alloc(len: usize) -> *mut u8 {
     })
 }
 
+/// Takes a picture file, for scenes that name it: a line with its name, without folders, and its contents. The answer is the picture as it
+/// is kept, smaller if it was large, as a PPM file, of which other instances of the module can take it sooner.
+#[unsafe(no_mangle)]
+#[allow(unsafe_code, reason = "as above")]
+pub extern "C" fn picture_file() -> u32 {
+    with(|module| {
+        let answer = module.pictures.take(&module.input);
+        module.answer(answer)
+    })
+}
+
 /// Reads the scene of the request and proves that it fits the number format, without drawing it. The answer is what there is to
-/// say about it, as JSON: `width` and `height` of the picture, `model`, `depth`, and `warnings`, each with `line` and `message`.
+/// say about it, as JSON: `width` and `height` of the picture, `model`, `depth`, whether anything `moves`, the number of `frames`, 1 where
+/// nothing does, and `warnings`, each with `line` and `message`. Of a film all frames are proved to fit.
 #[unsafe(no_mangle)]
 #[allow(unsafe_code, reason = "as above")]
 pub extern "C" fn check() -> u32 {
     with(|module| {
-        let answer = session::check(&module.input);
+        let answer = session::check(&module.input, &module.pictures);
         module.answer(answer.map(String::into_bytes))
     })
 }
 
-/// Starts the picture of the request: reads the scene, makes the colour table and switches the display on. The picture that was
-/// there before is kept if that fails. The answer is that of [`check`].
+/// Starts the picture of the request, or the first frame of its film: reads the scene, makes the colour table and switches the display on.
+/// The picture that was there before is kept if that fails. The answer is that of [`check`].
 #[unsafe(no_mangle)]
 #[allow(unsafe_code, reason = "as above")]
 pub extern "C" fn start() -> u32 {
     with(|module| {
-        let answer = Session::start(&module.input).map(|(session, summary)| {
+        let answer = Session::start(&module.input, &module.pictures).map(|(session, summary)| {
             module.session = Some(session);
             summary.into_bytes()
         });
@@ -97,8 +113,16 @@ pub extern "C" fn start() -> u32 {
     })
 }
 
-/// Traces row `y` and draws it. The rows are to be drawn in order, from 0. The answer is the row as the display shows it: red,
-/// green, blue and 255, 8 bits each, for each pixel.
+/// Starts frame `number` of the film that was started, from 0, with a colour table of its own, in the place of the one before, which is kept
+/// if that fails. The answer is empty.
+#[unsafe(no_mangle)]
+#[allow(unsafe_code, reason = "as above")]
+pub extern "C" fn frame(number: u32) -> u32 {
+    with(|module| module.ask(|session| session.frame(number).map(|()| Vec::new())))
+}
+
+/// Traces row `y` and draws it. The rows are to be drawn in order, from 0. The answer is the row as it lies in the display's memory: for each
+/// pixel a byte, its entry of the colour table.
 #[unsafe(no_mangle)]
 #[allow(unsafe_code, reason = "as above")]
 pub extern "C" fn row(y: u32) -> u32 {
@@ -147,7 +171,7 @@ pub extern "C" fn output_len() -> usize {
 mod tests {
     use rta_scenes::shipped;
 
-    use super::{alloc, check, choices, colors, explain, output_len, row, start, with};
+    use super::{alloc, check, choices, colors, explain, frame, output_len, picture_file, row, start, with};
 
     fn ask(text: &str, call: extern "C" fn() -> u32) -> u32 {
         alloc(text.len());
@@ -161,7 +185,7 @@ mod tests {
 
     #[test]
     fn whatever_is_called_in_whatever_order_is_answered() {
-        for status in [row(0), colors(), explain(0, 0), start(), check()] {
+        for status in [row(0), frame(0), colors(), explain(0, 0), picture_file(), start(), check()] {
             assert_eq!(status, 1);
         }
         assert_eq!(
@@ -170,13 +194,14 @@ mod tests {
         );
         assert_eq!(choices(), 0);
         assert!(answer().contains(r#"{"name":"q16","about":"Fixed point"#));
-        let request = |scene| format!("vga 8 q16 auto auto uniform none\n{scene}");
+        let request = |scene| format!("vga 8 q16 auto auto uniform none instant 0\n{scene}");
         assert_eq!(ask(&request(shipped::JUGGLER), start), 0);
-        assert_eq!((row(0), output_len()), (0, 160));
+        assert_eq!((row(0), output_len()), (0, 40));
         // What fails does not touch the picture.
         assert_eq!(ask(&request("1 2 x"), start), 1);
         assert_eq!((row(24), row(25), row(u32::MAX)), (0, 1, 1));
         assert_eq!((explain(39, 24), explain(40, 24), explain(u32::MAX, u32::MAX)), (0, 1, 1));
+        assert_eq!((frame(1), frame(0), row(0)), (1, 0, 0));
         assert_eq!((ask("\u{fffd}", check), colors()), (1, 0));
         assert_eq!(output_len(), 3 * 252); // 6 x 7 x 6 levels
     }

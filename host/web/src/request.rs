@@ -16,12 +16,27 @@ pub(crate) const DEPTH: u32 = 5;
 /// The deepest recursion: the capacity of the tracer's stack of pending rays.
 pub(crate) const MAX_DEPTH: u32 = 32;
 
+/// The most frames of a film: as many as a browser has the memory for, at two megabytes each for all three displays.
+pub(crate) const MAX_FRAMES: u32 = 240;
+
+/// The most frames that are shown in a second, as in `rta render`.
+const MAX_RATE: u32 = 50;
+
 /// The word for what the scene or the display decides.
 const OWN: &str = "auto";
 
-/// How a scene is drawn, and the scene.
+/// What of a scene in which things move along paths is drawn.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Request<'a> {
+pub(crate) enum Time {
+    /// A picture of an instant, 0 to 1.
+    Instant(f64),
+    /// A film of so many frames.
+    Film(u32),
+}
+
+/// How a scene is drawn.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Request {
     /// The display.
     pub(crate) device: Device,
     /// By how much the sides of the picture are divided: 1 for the whole screen.
@@ -36,17 +51,18 @@ pub(crate) struct Request<'a> {
     pub(crate) table: TableKind,
     /// The dithering, or the one that suits table and display.
     pub(crate) dither: Option<DitherKind>,
-    /// The scene.
-    pub(crate) text: &'a [u8],
+    /// A picture or a film.
+    pub(crate) time: Time,
 }
 
-impl<'a> Request<'a> {
-    /// Reads a request: `vga 1 q16 auto 5 sampled none`, the display, by how much its raster is divided, number format, model, depth,
-    /// colour table and dithering; model, depth and dithering may be `auto`. From the next line on stands the scene.
+impl Request {
+    /// Reads a request: `vga 1 q16 auto 5 sampled none instant 0.5`, the display, by how much its raster is divided, number format, model,
+    /// depth, colour table, dithering, and the instant or, as `frames 24`, the frames of a film; model, depth and dithering may be `auto`.
+    /// Returns it, and the scene's text, which stands from the next line on.
     ///
     /// # Errors
     /// [`Failure`] with the first word that is wrong, or for a scene that is too large.
-    pub(crate) fn parse(request: &'a [u8]) -> Result<Self, Failure> {
+    pub(crate) fn parse(request: &[u8]) -> Result<(Self, &[u8]), Failure> {
         let line = || {
             let end = request.iter().position(|&byte| byte == b'\n')?;
             let (line, rest) = request.split_at_checked(end)?;
@@ -69,10 +85,14 @@ impl<'a> Request<'a> {
             depth: unless_own(word(), |word| whole("depth", word, 0, MAX_DEPTH))?,
             table: one_of("colour table", word(), &TableKind::ALL)?,
             dither: unless_own(word(), |word| one_of("dithering", word, &DitherKind::ALL))?,
-            text,
+            time: match word() {
+                "instant" => Time::Instant(instant(word())?),
+                "frames" => Time::Film(whole("number of frames", word(), 1, MAX_FRAMES)?),
+                other => return Err(Failure::plain(format!("{other:?} is neither instant nor frames"))),
+            },
         };
         match words.next() {
-            None => Ok(request),
+            None => Ok((request, text)),
             Some(word) => Err(Failure::plain(format!("one setting too many: {word:?}"))),
         }
     }
@@ -110,6 +130,12 @@ fn whole(what: &str, word: &str, least: u32, most: u32) -> Result<u32, Failure> 
         .ok_or_else(|| Failure::plain(format!("the {what} is {word:?}, not a number from {least} to {most}")))
 }
 
+/// Reads an instant of a film.
+fn instant(word: &str) -> Result<f64, Failure> {
+    let instant = word.parse().ok().filter(|instant| (0.0..=1.0).contains(instant));
+    instant.ok_or_else(|| Failure::plain(format!("the instant is {word:?}, not a number from 0 to 1")))
+}
+
 /// Reads a word unless it says that something else decides.
 fn unless_own<T>(word: &str, read: impl FnOnce(&str) -> Result<T, Failure>) -> Result<Option<T>, Failure> {
     if word == OWN { Ok(None) } else { read(word).map(Some) }
@@ -134,8 +160,12 @@ pub(crate) fn choices() -> String {
     };
     let scene =
         |(name, text): (&str, &str)| json::object([("name", json::text(name)), ("text", json::text(text))]);
-    let others =
-        [("balls2.nff", shipped::BALLS_2), ("prism.rta", shipped::PRISM), ("mesh.rta", shipped::MESH)];
+    let others = [
+        ("juggler.rta", shipped::JUGGLING),
+        ("balls2.nff", shipped::BALLS_2),
+        ("prism.rta", shipped::PRISM),
+        ("mesh.rta", shipped::MESH),
+    ];
     json::object([
         ("displays", json::list(Device::ALL.map(display))),
         ("formats", json::list(Format::ALL.iter().map(|format| choice(format.name(), format.about())))),
@@ -143,6 +173,8 @@ pub(crate) fn choices() -> String {
         ("tables", names(&mut TableKind::ALL.iter().map(|(name, _)| *name))),
         ("dithers", names(&mut DitherKind::ALL.iter().map(|(name, _)| *name))),
         ("depth", MAX_DEPTH.to_string()),
+        ("frames", MAX_FRAMES.to_string()),
+        ("rate", MAX_RATE.to_string()),
         ("scenes", json::list(shipped::ALL.into_iter().chain(others).map(scene))),
     ])
 }
@@ -151,22 +183,26 @@ pub(crate) fn choices() -> String {
 mod tests {
     use rta_scenes::{Format, Model};
 
-    use super::Request;
+    use super::{Request, Time};
     use crate::coloring::{DitherKind, TableKind};
     use crate::screen::Device;
 
     #[test]
     fn requests_are_read() {
-        let request = Request::parse(b"pixrect 2 q20 whitted 7 baked auto\nrta 1\n").expect("one");
+        let (request, text) =
+            Request::parse(b"pixrect 2 q20 whitted 7 baked auto frames 24\nrta 1\n").expect("one");
         assert_eq!((request.device, request.format), (Device::Pixrect, Format::Q20));
         assert_eq!((request.model, request.depth), (Some(Model::Whitted), Some(7)));
         assert_eq!((request.table, request.dither), (TableKind::Baked, None));
-        assert_eq!(request.text, b"rta 1\n");
+        assert_eq!(request.time, Time::Film(24));
+        assert_eq!(text, b"rta 1\n");
         assert_eq!(request.size(), (576, 450));
         assert!((request.aspect() - 1.28).abs() < 1e-12);
-        let request = Request::parse(b"vga 1 f32 auto auto uniform bayer\n").expect("one");
-        assert_eq!((request.model, request.depth, request.text), (None, None, &b""[..]));
+        let (request, text) =
+            Request::parse(b"vga 1 f32 auto auto uniform bayer instant 0.25\n").expect("one");
+        assert_eq!((request.model, request.depth, text), (None, None, &b""[..]));
         assert_eq!((request.dither, request.size()), (Some(DitherKind::Bayer), (320, 200)));
+        assert_eq!(request.time, Time::Instant(0.25));
     }
 
     #[test]
@@ -180,9 +216,18 @@ mod tests {
                 "the divisor of the raster is \"0\", not a number from 1 to 8",
             ),
             (b"vga 1 q16 auto 33 sampled none\n", "the depth is \"33\", not a number from 0 to 32"),
-            (b"vga 1 q16 auto 5 frame none\n", "there is no colour table \"frame\""),
+            (b"vga 1 q16 auto 5 octree none\n", "there is no colour table \"octree\""),
             (b"vga 1 q16 auto 5 sampled\n", "there is no dithering \"\""),
-            (b"vga 1 q16 auto 5 sampled none x\n", "one setting too many: \"x\""),
+            (b"vga 1 q16 auto 5 sampled none\n", "\"\" is neither instant nor frames"),
+            (
+                b"vga 1 q16 auto 5 sampled none instant NaN\n",
+                "the instant is \"NaN\", not a number from 0 to 1",
+            ),
+            (
+                b"vga 1 q16 auto 5 sampled none frames 0\n",
+                "the number of frames is \"0\", not a number from 1 to 240",
+            ),
+            (b"vga 1 q16 auto 5 sampled none instant 0 x\n", "one setting too many: \"x\""),
         ] {
             assert_eq!(Request::parse(request).expect_err(message).message, message);
         }
