@@ -166,9 +166,8 @@ mod tests {
             assert!((cosine - libm::cos(angle)).abs() < 2e-9 && (sine - libm::sin(angle)).abs() < 2e-9);
             let [fixed_cosine, fixed_sine] = turn::<Fixed>(word);
             let unit = 1.0 / f64::from(1 << 30);
-            let error = (f64::from(fixed_cosine.to_num::<f64>()) - cosine)
-                .abs()
-                .max((fixed_sine.to_num::<f64>() - sine).abs());
+            let error =
+                (fixed_cosine.to_num::<f64>() - cosine).abs().max((fixed_sine.to_num::<f64>() - sine).abs());
             assert!(error < 4.0 * unit, "{word:x}: {} units", error / unit);
         }
     }

@@ -181,8 +181,8 @@ mod tests {
     /// Returns the part of the time that a white ball is seen along y, by 32 seeds of 64 samples, and its standard error.
     fn seen<S: Scalar>(center: [i32; 3], by: [i32; 3]) -> [f64; 2] {
         // In the middle of the time.
-        let half = |axis: usize| center[axis] + by[axis] / 2;
-        let spheres = [ball::<S>([half(0), half(1), half(2)], 1)];
+        let ([x, y, z], [east, north, upward]) = (center, by);
+        let spheres = [ball::<S>([x + east / 2, y + north / 2, z + upward / 2], 1)];
         let black = Rgb::BLACK;
         let scene = Scene { spheres: &spheres, ..Scene::empty(Sky { horizon: black, zenith: black }, black) };
         let lens = Lens::new(1, 1, (1, 1));

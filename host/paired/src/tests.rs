@@ -9,9 +9,9 @@ use rta_scenes::narrow::Narrow;
 use rta_scenes::{dat, shipped};
 
 use rta_core::raster::Raster;
-use rta_core::sampling::Sampling;
 use rta_packets::picture::Setup;
 use rta_scenes::description::Description;
+use rta_scenes::sampler::Sampler;
 use rta_scenes::{Format, Model, in_format};
 
 use super::ray_tree::{HitKind, Visibility};
@@ -22,7 +22,7 @@ type P = Paired<Q16>;
 
 fn setup() -> Setup {
     let raster = Raster::new(64, 40).expect("a raster");
-    Setup { raster, aspect: 4.0 / 3.0, depth: 5, cutoff: None, sampling: Sampling::CENTER }
+    Setup { raster, aspect: 4.0 / 3.0, depth: 5, cutoff: None, sampling: Sampler::CENTER }
 }
 
 fn pixels(scene: &Description, format: Format, model: Model, window: &Window) -> Vec<Pixel> {

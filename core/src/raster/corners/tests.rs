@@ -50,8 +50,12 @@ fn measured<const PLACES: usize>(depth: u8) -> [f64; 3] {
     let (mut n, mut sums) = (0.0, [0.0; 3]);
     for i in 0..40_000 {
         let [angle, distance] = Pairs::new(0, 0, 0, 3).units::<f64>(i);
-        let (sine, cosine) = (libm::sin(angle * 6.283_185_307), libm::cos(angle * 6.283_185_307));
-        let edge = Edge { normal: [cosine, sine], distance: (2.0 * distance - 1.0) * 0.707_106_781 };
+        let angle = angle * core::f64::consts::TAU;
+        let (sine, cosine) = (libm::sin(angle), libm::cos(angle));
+        let edge = Edge {
+            normal: [cosine, sine],
+            distance: (2.0 * distance - 1.0) * core::f64::consts::FRAC_1_SQRT_2,
+        };
         // One that misses the pixel is no edge.
         if edge.distance.abs() >= f64::midpoint(cosine.abs(), sine.abs()) {
             continue;

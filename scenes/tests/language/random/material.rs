@@ -36,7 +36,9 @@ pub(super) fn material() -> impl Strategy<Value = Material> {
         vec![Slope { slope: first, share }, Slope { slope: second, share: 1.0 - share }]
     });
     let slopes = prop_oneof![Just(Vec::new()), one, two];
-    let facets = (maybe(0.0..=2000.0), maybe(0.1..=44.0), slopes, maybe(positive()), maybe(dispersion()));
+    let rough = maybe(0.0..=1.0);
+    let facets =
+        (maybe(0.0..=2000.0), maybe(0.1..=44.0), rough, slopes, maybe(positive()), maybe(dispersion()));
     let nk = prop::array::uniform3([0.1..=3.0, 0.0..=9.0_f64]);
     let edge =
         (1..=3_u8, 0.0..=1.0, 0.0..=1.0).prop_map(|(exponent, least, most)| Edge { exponent, least, most });
@@ -52,7 +54,7 @@ pub(super) fn material() -> impl Strategy<Value = Material> {
     (name, kind, maybe(color()), shares, facets, rest).prop_map(
         |(name, kind, color, shares, facets, rest)| {
             let (ambient, diffuse, back, specular, transmit, mirror) = shares;
-            let (exponent, gloss, slopes, index, dispersion) = facets;
+            let (exponent, gloss, roughness, slopes, index, dispersion) = facets;
             let (metal, nk, absorb, edge, [thin, surroundings, has_texture], bump) = rest;
             Material {
                 name,
@@ -66,6 +68,7 @@ pub(super) fn material() -> impl Strategy<Value = Material> {
                 mirror,
                 exponent,
                 gloss,
+                roughness,
                 slopes,
                 index,
                 dispersion,
