@@ -1,6 +1,7 @@
 //! Lamps, and a lamp as seen from a point.
 
 pub mod area;
+pub mod cover;
 
 use crate::color::Rgb;
 use crate::needs::Needs;

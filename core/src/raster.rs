@@ -1,6 +1,7 @@
 //! The raster, and its pixels as an iterator: a window takes some of them for each frame, firmware takes one between
 //! interrupts, a test collects all.
 
+pub mod corners;
 pub mod lattice;
 mod places;
 

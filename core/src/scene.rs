@@ -11,10 +11,10 @@ use crate::light::Lamp;
 use crate::material::Material;
 use crate::needs::{Needs, Used};
 use crate::ray::Ray;
-use crate::scalar::vector::{UnitVec3, Vector};
+use crate::scalar::vector::{UnitVec3, Vec3, Vector};
 use crate::scalar::{Light, Scalar, Unit};
 pub use crate::shape::Floor;
-use crate::shape::{Cone, Cylinder, Ellipsoid, Look, Plane, Primitive, Sphere, SurfacePoint, Triangle};
+use crate::shape::{Cone, Cylinder, Ellipsoid, Look, Move, Plane, Primitive, Sphere, SurfacePoint, Triangle};
 use crate::texture::{Coat, Pattern};
 
 /// A visitor of a scene's objects. It is given a run of consecutive objects of one list at a time.
@@ -88,6 +88,38 @@ macro_rules! lists {
             pub ambient: Rgb<S::Light>,
         }
 
+        /// Lists of a scene in memory that can be changed: copies of those in which something moves, and nothing in place of the others.
+        #[derive(Debug)]
+        pub struct Copies<'c, S: Scalar> {
+            $($(#[doc = $doc])+ pub $list: &'c mut [$Kind<S>],)+
+            /// Lamps.
+            pub lamps: &'c mut [Lamp<S>],
+        }
+
+        impl<S: Scalar> Copies<'_, S> {
+            /// Returns no copies.
+            pub fn none() -> Self {
+                Self { $($list: &mut [],)+ lamps: &mut [] }
+            }
+
+            /// Puts an object or a lamp where it is in `scene`, moved by a vector. What is in none of the copied lists stays where it is.
+            pub fn put(&mut self, object: Object, scene: &Scene<S>, by: Vec3<S>) {
+                match object {
+                    $(Object::$Kind(i) => {
+                        if let (Some(own), Some(copy)) = (scene.$list.get(index(i)), self.$list.get_mut(index(i))) {
+                            *copy = own.moved(by);
+                        }
+                    })+
+                    Object::Lamp(i) => {
+                        if let (Some(own), Some(copy)) = (scene.lamps.get(index(i)), self.lamps.get_mut(index(i))) {
+                            *copy = Lamp { position: own.position + by, ..*own };
+                        }
+                    }
+                    Object::Floor => {}
+                }
+            }
+        }
+
         impl<'a, S: Scalar> Scene<'a, S> {
             /// Returns a scene of sky and ambient light, without objects, floor and lamps.
             pub const fn empty(sky: Sky<S>, ambient: Rgb<S::Light>) -> Self {
@@ -150,6 +182,18 @@ macro_rules! lists {
                 $((0..).zip(self.$list).for_each(|(i, object)| see(Object::$Kind(i), object.look()));)+
             }
 
+            /// Returns the scene with the lists of what moves as `copies` has them.
+            pub fn with<'c>(&self, copies: &'c Copies<'_, S>) -> Scene<'c, S>
+            where
+                'a: 'c,
+            {
+                Scene {
+                    $($list: if copies.$list.is_empty() { self.$list } else { copies.$list },)+
+                    lamps: if copies.lamps.is_empty() { self.lamps } else { copies.lamps },
+                    ..*self
+                }
+            }
+
             /// Returns which kinds of objects the scene has; nothing else is set.
             pub fn kinds(&self) -> Used {
                 Used { $($list: !self.$list.is_empty(),)+ ..Used::default() }
@@ -195,6 +239,19 @@ pub struct Limits<S> {
     /// The greatest depth of a ray at which its weight fits the number format. It is 255 where no surface sends back more light
     /// than it receives.
     pub depth: u8,
+}
+
+impl<S: Scalar> Limits<S> {
+    /// Returns the limits within which two scenes of the same things both fit.
+    #[must_use]
+    pub fn with(self, other: &Self) -> Self {
+        let least = |one: S, other: S| if one < other { one } else { other };
+        Self {
+            floor_end: least(self.floor_end, other.floor_end),
+            cylinder_end: least(self.cylinder_end, other.cylinder_end),
+            depth: self.depth.min(other.depth),
+        }
+    }
 }
 
 /// The sky: one colour at the horizon, one at the zenith and at the nadir, mixed by the square of the sine of the

@@ -30,6 +30,12 @@ use crate::ray::Ray;
 use crate::scalar::Scalar;
 use crate::scalar::vector::{UnitVec3, Vec3};
 
+/// An object that can stand elsewhere.
+pub trait Move<S: Scalar>: Copy {
+    /// Returns the object, moved by a vector.
+    fn moved(&self, by: Vec3<S>) -> Self;
+}
+
 /// A kind of object that a ray can meet.
 pub trait Primitive<S: Scalar> {
     /// Whether the object is finite. An infinite one is in no hierarchy: every ray tests it.

@@ -11,6 +11,7 @@ pub mod decision;
 pub mod dice;
 mod distributed;
 mod lamps;
+pub mod moving;
 mod observer;
 mod spawn;
 mod spectrum;
@@ -85,7 +86,7 @@ pub trait Trace<S: Scalar> {
 
     /// Returns the radiance of one sample of a picture, at the place `right` and `up` of the image plane, as
     /// [`Camera::direction`] takes it: that of the ray through there from the eye, unless rays are spread.
-    #[cfg_attr(not(target_os = "none"), inline(always))]
+    #[inline]
     fn sample<O: Observer<S> + ?Sized>(
         &self,
         camera: &Camera<S>,

@@ -6,4 +6,5 @@
 pub mod bounds;
 pub mod bvh;
 pub mod sah;
+pub mod search;
 pub mod solid;

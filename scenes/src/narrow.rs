@@ -23,6 +23,7 @@ mod cone;
 mod error;
 mod formats;
 mod materials;
+pub mod moving;
 mod plane;
 mod properties;
 pub use properties::conductor;
@@ -203,15 +204,21 @@ pub fn narrow<S: Narrow>(description: &Description, aspect: f64) -> Result<Narro
 
 /// Proves that a scene fits its format.
 fn proved<S: Narrow>(scene: &Narrowed<S>) -> Result<Limits<S>, Error> {
-    let (own, camera) = (scene.scene(), &scene.camera);
-    let admitted = match &scene.spreads.aperture {
-        Some(aperture) => own.admit_lens((camera, aperture), Lists),
-        None => own.admit(camera),
+    let one = |scene: &Narrowed<S>| {
+        let (own, camera) = (scene.scene(), &scene.camera);
+        let admitted = match &scene.spreads.aperture {
+            Some(aperture) => own.admit_lens((camera, aperture), Lists),
+            None => own.admit(camera),
+        };
+        Ok(admitted?.limits)
     };
-    Ok(admitted?.limits)
+    // What holds when the shutter opens and when it closes does so in between, as everything moves along straight lines.
+    scene.ends().iter().map(one).try_fold(one(scene)?, |all, end| Ok(all.with(&end?)))
 }
 
 fn brought<S: Narrow>(description: &Description, aspect: f64) -> Result<Narrowed<S>, NarrowError> {
+    let held = description.has_motion().then(|| description.in_the_middle());
+    let description = held.as_ref().unwrap_or(description);
     let is_dispersive = description.materials.iter().any(|material| material.dispersion.is_some());
     let count = description.settings.wavelengths.filter(|_| is_dispersive).unwrap_or(0);
     let wavelengths = (0..count).map(|i| wavelength(i, count)).collect();

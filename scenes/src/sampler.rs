@@ -2,6 +2,7 @@
 
 use rta_core::color::Rgb;
 use rta_core::raster::Raster;
+pub use rta_core::raster::corners::Cutting;
 use rta_core::sampling::{Places, Sampling, Sobol};
 use rta_core::scalar::{Light, Unit};
 pub use rta_core::trace::dice::Lamps;
@@ -13,6 +14,8 @@ pub enum Sampler {
     Grid(Sampling),
     /// At the places of a sequence, and their rays are spread.
     Sobol(Spreading),
+    /// At the corners of pixels, which are cut where the light there differs.
+    Corners(Cutting),
 }
 
 /// Samples whose rays are spread.
@@ -35,7 +38,7 @@ impl Sampler {
     pub const fn is_jittered(&self) -> bool {
         match self {
             Self::Grid(sampling) => sampling.is_jittered(),
-            Self::Sobol(_) => false,
+            Self::Sobol(_) | Self::Corners(_) => false,
         }
     }
 
@@ -43,7 +46,7 @@ impl Sampler {
     #[must_use]
     pub const fn spreading(&self) -> Option<&Spreading> {
         match self {
-            Self::Grid(_) => None,
+            Self::Grid(_) | Self::Corners(_) => None,
             Self::Sobol(spreading) => Some(spreading),
         }
     }
@@ -55,6 +58,7 @@ impl From<Sampling> for Sampler {
     }
 }
 
+/// Pixels that are cut have one sample in the middle here: how many rays they take is seen only when they are traced.
 impl Places for Sampler {
     /// The number of the row.
     type Row<U: Unit> = u32;
@@ -63,6 +67,7 @@ impl Places for Sampler {
         match self {
             Self::Grid(sampling) => sampling.samples(),
             Self::Sobol(spreading) => spreading.samples.samples(),
+            Self::Corners(_) => Sampling::CENTER.samples(),
         }
     }
 
@@ -74,6 +79,7 @@ impl Places for Sampler {
         match self {
             Self::Grid(sampling) => sampling.place(raster, row, x, sample),
             Self::Sobol(spreading) => spreading.samples.place(raster, row, x, sample),
+            Self::Corners(_) => Sampling::CENTER.place(raster, row, x, sample),
         }
     }
 
@@ -81,6 +87,7 @@ impl Places for Sampler {
         match self {
             Self::Grid(sampling) => sampling.add(sum, light),
             Self::Sobol(spreading) => spreading.samples.add(sum, light),
+            Self::Corners(_) => Sampling::CENTER.add(sum, light),
         }
     }
 
@@ -88,6 +95,7 @@ impl Places for Sampler {
         match self {
             Self::Grid(sampling) => sampling.mean(sum),
             Self::Sobol(spreading) => spreading.samples.mean(sum),
+            Self::Corners(_) => Sampling::CENTER.mean(sum),
         }
     }
 }

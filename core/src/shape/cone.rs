@@ -4,7 +4,7 @@
 //! is `cos^2 |x|^2 = (r cos + z sin)^2`, with `x` across the axis, `z` along it, `r` the radius in the middle, and cosine
 //! and sine of the angle between side and axis; no number exceeds 2, whatever the shape.
 
-use super::{Look, Primitive, SurfacePoint};
+use super::{Look, Move, Primitive, SurfacePoint};
 use crate::color::Rgb;
 use crate::needs::Needs;
 use crate::ray::Ray;
@@ -213,6 +213,12 @@ impl<S: Scalar> Cone<S> {
         let radial = if is_axis { None } else { across.normalize() };
         let radial = radial.map_or(-local.heading, |(radial, _)| radial);
         radial.scale(self.cosine).plus(self.axis, -self.sine).tighten()
+    }
+}
+
+impl<S: Scalar> Move<S> for Cone<S> {
+    fn moved(&self, by: Vec3<S>) -> Self {
+        Self { center: self.center + by, ..*self }
     }
 }
 

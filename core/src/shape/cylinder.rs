@@ -1,6 +1,6 @@
 //! The infinite vertical cylinder. Seen from above, in the ground plan, it is a circle that the ray meets or not.
 
-use super::{Look, Primitive, SurfacePoint, ahead};
+use super::{Look, Move, Primitive, SurfacePoint, ahead};
 use crate::color::Rgb;
 use crate::needs::Needs;
 use crate::ray::{GroundPlan, Ray};
@@ -27,6 +27,12 @@ impl<S: Scalar> Cylinder<S> {
     /// Returns a cylinder from a place on its axis and its radius.
     pub fn new(center: Vec3<S>, radius: S, color: Rgb<S::Unit>, material: u16) -> Self {
         Self { center, radius, inverse_radius: radius.inverse(), color, material }
+    }
+}
+
+impl<S: Scalar> Move<S> for Cylinder<S> {
+    fn moved(&self, by: Vec3<S>) -> Self {
+        Self { center: self.center + by, ..*self }
     }
 }
 

@@ -4,7 +4,7 @@
 //! ellipsoids. Then each axis is scaled down to the smallest radius. That makes the ellipsoid a sphere and never enlarges a
 //! number, and the ray is intersected with that sphere.
 
-use super::{Look, Primitive, SurfacePoint, ahead};
+use super::{Look, Move, Primitive, SurfacePoint, ahead};
 use crate::color::Rgb;
 use crate::needs::Needs;
 use crate::ray::Ray;
@@ -91,6 +91,12 @@ impl<S: Scalar> Ellipsoid<S> {
     fn roots(&self, s: &Squashed<S>) -> (S, S) {
         let at = |offset: S::Unit| s.b + self.extent.scale((offset - s.past).over(s.stretch));
         (if self.inside_only { S::ZERO } else { at(-s.half) }, at(s.half))
+    }
+}
+
+impl<S: Scalar> Move<S> for Ellipsoid<S> {
+    fn moved(&self, by: Vec3<S>) -> Self {
+        Self { center: self.center + by, ..*self }
     }
 }
 

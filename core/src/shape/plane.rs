@@ -3,7 +3,7 @@
 //! It is seen as far as there are numbers. Its places are computed relative to [`Plane::center`] and end at [`Plane::reach`]:
 //! what is farther away is lit as the plane's rim is, so that the next ray starts where the range proof expects it.
 
-use super::{Look, Primitive, SurfacePoint};
+use super::{Look, Move, Primitive, SurfacePoint};
 use crate::color::Rgb;
 use crate::needs::Needs;
 use crate::ray::Ray;
@@ -28,6 +28,12 @@ impl<S: Scalar> Plane<S> {
     /// plane takes a quarter of the format and leaves half of it to the scene.
     pub fn reach() -> S {
         S::FAR.scale(S::Unit::ratio(1, 8))
+    }
+}
+
+impl<S: Scalar> Move<S> for Plane<S> {
+    fn moved(&self, by: Vec3<S>) -> Self {
+        Self { center: self.center + by, ..*self }
     }
 }
 

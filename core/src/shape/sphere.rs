@@ -2,7 +2,7 @@
 //! Improvements for Ray/Sphere Intersection", Ray Tracing Gems, 2019, chapter 7): the discriminant is `r^2 - |l|^2`
 //! with `l` the displacement from the ray to the centre, and nothing large is subtracted from anything large.
 
-use super::{Look, Primitive, SurfacePoint, ahead};
+use super::{Look, Move, Primitive, SurfacePoint, ahead};
 use crate::color::Rgb;
 use crate::needs::Needs;
 use crate::ray::Ray;
@@ -46,6 +46,12 @@ impl<S: Scalar> Sphere<S> {
         }
         let half = S::sqrt(square - across);
         ahead(b - half, b + half, t_max)
+    }
+}
+
+impl<S: Scalar> Move<S> for Sphere<S> {
+    fn moved(&self, by: Vec3<S>) -> Self {
+        Self { center: self.center + by, ..*self }
     }
 }
 

@@ -4,7 +4,7 @@
 //! sign: no ray passes between them, and no tolerance is needed (S. Woop, C. Benthin and I. Wald, "Watertight Ray/Triangle
 //! Intersection", JCGT 2(1), 2013, here without its shear and its division).
 
-use super::{Look, Primitive, SurfacePoint};
+use super::{Look, Move, Primitive, SurfacePoint};
 use crate::color::Rgb;
 use crate::needs::Needs;
 use crate::ray::Ray;
@@ -157,6 +157,12 @@ fn areas<S: Scalar>(direction: UnitVec3<S>, feet: [Vec3<S>; 3]) -> Option<[S::Wi
         is_right |= area < zero;
     }
     (is_left != is_right).then_some(areas)
+}
+
+impl<S: Scalar> Move<S> for Triangle<S> {
+    fn moved(&self, by: Vec3<S>) -> Self {
+        Self { vertices: self.vertices.map(|vertex| vertex + by), ..*self }
+    }
 }
 
 impl<S: Scalar> Primitive<S> for Triangle<S> {

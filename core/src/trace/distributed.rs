@@ -1,7 +1,7 @@
 //! Pictures whose rays are spread: each sample throws dice of its own.
 
 use super::decision::Start;
-use super::dice::{Sample, Spread, Thrown};
+use super::dice::{Dice, Sample, Spread, Thrown};
 use super::{Observer, Trace, Tracer};
 use crate::accelerator::{Accelerator, Lists};
 use crate::camera::Camera;
@@ -24,6 +24,29 @@ pub struct Distributed<'a, S: Scalar, M, N, const STACK: usize, A = Lists> {
     pub seed: u32,
 }
 
+impl<S: Scalar, M, N, const STACK: usize, A> Distributed<'_, S, M, N, STACK, A> {
+    /// Returns the dice of a sample.
+    pub(super) const fn dice(&self, sample: Sample) -> Thrown<'_, S> {
+        Thrown { spread: self.spread, sample, seed: self.seed }
+    }
+
+    /// Returns the ray of a sample through a place of the image plane, from the eye or from a spot of the lens.
+    pub(super) fn start(
+        &self,
+        camera: &Camera<S>,
+        (right, up): (S::Unit, S::Unit),
+        dice: &Thrown<S>,
+    ) -> Start<S> {
+        match &self.spread.aperture {
+            Some(aperture) => {
+                let spots = dice.pairs(Purpose::Lens, Thrown::<S>::EYE);
+                camera.through(aperture, (right, up), disc(spots.units(dice.sample.number)))
+            }
+            None => Start { origin: camera.eye, direction: camera.direction(right, up) },
+        }
+    }
+}
+
 impl<S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Accelerator<S>> Trace<S>
     for Distributed<'_, S, M, N, STACK, A>
 {
@@ -37,26 +60,20 @@ impl<S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Accelerator
         memory: &mut A::Memory,
         observer: &mut O,
     ) -> Rgb<S::Light> {
-        let dice = Thrown { spread: self.spread, sample: Sample::default(), seed: self.seed };
+        let dice = self.dice(Sample::default());
         self.tracer.walk(Start { origin, direction }, &dice, memory, observer)
     }
 
     fn sample<O: Observer<S> + ?Sized>(
         &self,
         camera: &Camera<S>,
-        (right, up): (S::Unit, S::Unit),
+        place: (S::Unit, S::Unit),
         sample: Sample,
         memory: &mut A::Memory,
         observer: &mut O,
     ) -> Rgb<S::Light> {
-        let dice = Thrown { spread: self.spread, sample, seed: self.seed };
-        let start = match &self.spread.aperture {
-            Some(aperture) => {
-                let spot = disc(dice.pairs(Purpose::Lens, 1).units(sample.number));
-                camera.through(aperture, (right, up), spot)
-            }
-            None => Start { origin: camera.eye, direction: camera.direction(right, up) },
-        };
+        let dice = self.dice(sample);
+        let start = self.start(camera, place, &dice);
         self.tracer.walk(start, &dice, memory, observer)
     }
 }

@@ -94,7 +94,7 @@ impl<S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Accelerator
 
     /// Pushes the transmitted ray and returns the reflected one, or adds to the light what that brings where it sees the sky alone. `is_total`
     /// tells whether there was total internal reflection.
-    #[cfg_attr(not(target_os = "none"), inline(always))]
+    #[inline]
     pub(super) fn send<T: Copy + Debug, D: Dice<S, Node = T>, O: Observer<S> + ?Sized>(
         &self,
         surface: &Surface<S>,
@@ -131,7 +131,7 @@ impl<S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Accelerator
 }
 
 /// Returns the start of a secondary ray of a surface in that direction, which `leaves` on the side of the normal or goes through.
-#[cfg_attr(not(target_os = "none"), inline(always))]
+#[inline]
 pub(super) fn leaving<S: Scalar, N: Needs>(
     surface: &Surface<S>,
     direction: UnitVec3<S>,

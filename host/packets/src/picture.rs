@@ -17,6 +17,7 @@ use rta_core::scene::Limits;
 use rta_core::trace::dice::Sample;
 use rta_core::trace::{Observer, Trace, Tracer};
 use rta_core::{Q16, Q20, Scalar};
+use rta_scenes::accelerator::bvh;
 use rta_scenes::description::{Air, Description};
 use rta_scenes::model::Model;
 use rta_scenes::narrow::{Narrow, NarrowError, Narrowed, narrow};
@@ -27,9 +28,13 @@ use crate::cache::ShadowCache;
 use crate::packets::Packets;
 use crate::rows::Rows;
 
+mod cut;
+mod moving;
 mod spectral;
 mod spread;
 
+use cut::Cut;
+use moving::Moving;
 use spectral::Spectral;
 use spread::Spread;
 
@@ -180,6 +185,10 @@ macro_rules! formats {
                 model: Model,
                 setup: &Setup,
             ) -> Result<Box<dyn Picture<Self>>, PictureError> {
+                if let Sampler::Corners(cutting) = setup.sampling {
+                    let single = Self::picture(scene, model, &Setup { sampling: Sampler::CENTER, ..*setup })?;
+                    return Ok(Box::new(Cut { single, setup: *setup, cutting }));
+                }
                 let (ready, air) = (Ready::<$f>::new(scene, setup)?, &scene.air);
                 let limits = ready.limits;
                 let any = |scene: &_| Wavelengths::new(model, air, scene, limits);
@@ -191,7 +200,12 @@ macro_rules! formats {
                 }
                 if let Some(&spreading) = setup.sampling.spreading() {
                     let model = any(&ready.scene).into_first();
-                    return Ok(Box::new(Spread { still: Modelled { ready, model }, spreading }));
+                    let still = Modelled { ready, model };
+                    if scene.has_motion() {
+                        let (scene, built) = (narrow::<$f>(scene, setup.aspect)?, bvh::build::<$f>(scene));
+                        return Ok(Box::new(Moving { still, spreading, scene, built }));
+                    }
+                    return Ok(Box::new(Spread { still, spreading }));
                 }
                 let is_clear = *air == Air::default();
                 Ok(match model {
@@ -224,8 +238,13 @@ impl<S: Format> Ready<S> {
         if setup.depth > MAX_DEPTH {
             return Err(Error::Depth { depth: setup.depth, capacity: MAX_DEPTH as usize }.into());
         }
-        let narrowed = narrow::<S>(scene, setup.aspect)?;
+        let mut narrowed = narrow::<S>(scene, setup.aspect)?;
         let limits = narrowed.admit()?.limits;
+        let stopped = scene.has_motion().then(|| scene.stopped());
+        let scene = stopped.as_ref().unwrap_or(scene);
+        if stopped.is_some() {
+            narrowed = narrow::<S>(scene, setup.aspect)?;
+        }
         let depth = u8::try_from(setup.depth).unwrap_or(u8::MAX);
         if depth > limits.depth {
             narrowed.scene().check_depth(depth)?;

@@ -163,3 +163,33 @@ sphere at 1.2 0 1.1  radius 1  color .9 .9 .9  of plate
     }
     assert!(worst < 1e-3 && changed > 0.05, "{worst}, {changed}");
 }
+
+/// Returns the part of the time that a white ball is seen along y.
+fn moving<S: Format>(ball: &str, shutter: &str, exact: f64) {
+    // More balls, so that there is a hierarchy to search.
+    let others: String =
+        (0..30).map(|i| format!("sphere at {} 40 30  radius 1  color black\n", i * 3)).collect();
+    let text = format!(
+        "rta 1\nmodel flat\ncamera at 0 0 0  look 0 1 0  lens 1{shutter}\nsky black\nambient black\nsphere {ball}  color white\n{others}"
+    );
+    let [part, error] = light(&pictures::<S>(&text, Lamps::Point), 0.0, 1);
+    assert!((part - exact).abs() <= 5.0 * error + 1e-3, "{} {ball}: {part}, {exact}", S::NAME);
+}
+
+#[test]
+fn moving_balls_are_seen_as_long_as_they_should_be() {
+    for (ball, shutter, exact) in [
+        ("at -2 8 0  radius 1  moves 4 0 0", "", 0.5),
+        ("at -2 8 .5  radius 1  moves 4 0 0", "", 0.433_012_702),
+        ("at -.5 8 0  radius 1  moves 2 3 0", "", 0.75),
+        ("at 0 8 0  radius 1  moves 0 5 0", "", 1.0),
+        // Only while it is on its way out of sight.
+        ("at -2 8 0  radius 1  moves 4 0 0", "  shutter .5 1", 0.5),
+        ("at -2 8 0  radius 1  moves 4 0 0", "  shutter .75 1", 0.0),
+    ] {
+        moving::<f64>(ball, shutter, exact);
+        moving::<f32>(ball, shutter, exact);
+        moving::<Q16>(ball, shutter, exact);
+        moving::<Q20>(ball, shutter, exact);
+    }
+}

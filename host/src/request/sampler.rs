@@ -3,7 +3,7 @@
 use core::fmt;
 
 use rta_args::spreading::{SamplerKind, SpreadingArgs};
-use rta_args::value::sampling::{LampsValue, Samples};
+use rta_args::value::sampling::{CuttingValue, LampsValue, Samples};
 use rta_core::sampling::{Places, Sobol};
 use rta_scenes::description::Description;
 use rta_scenes::sampler::{Lamps, Sampler, Spreading};
@@ -19,6 +19,9 @@ const SPREAD: u32 = 16;
 /// [`RequestError::Samples`] for a number that fills no grid, [`RequestError::OfGrid`] and [`RequestError::OfSobol`] for an option of the
 /// other sampler.
 pub fn sampler(asked: &SpreadingArgs, scene: Option<&Description>) -> Result<Sampler, RequestError> {
+    if let Some(CuttingValue(cutting)) = asked.aa {
+        return Ok(Sampler::Corners(cutting));
+    }
     let lamps = asked.lamps.map_or(Lamps::Point, |LampsValue(lamps)| lamps);
     let of_sobol = [
         (lamps != Lamps::Point, "--lamps"),
@@ -51,10 +54,12 @@ pub fn sampler(asked: &SpreadingArgs, scene: Option<&Description>) -> Result<Sam
     }
 }
 
-/// Returns whether something in the scene spreads rays by itself: a lens or a rough material.
+/// Returns whether something in the scene spreads rays by itself: a lens, motion, or a rough material.
 fn spreads(asked: &SpreadingArgs, scene: &Description) -> bool {
     let has_lens = asked.aperture.or(scene.optics.aperture).is_some_and(|aperture| aperture > 0.0);
-    has_lens || scene.materials.iter().any(|own| own.roughness.is_some_and(|roughness| roughness > 0.0))
+    has_lens
+        || scene.has_motion()
+        || scene.materials.iter().any(|own| own.roughness.is_some_and(|roughness| roughness > 0.0))
 }
 
 /// Puts the lens of the options into a scene.
@@ -77,6 +82,7 @@ impl fmt::Display for Told<'_> {
                 let kind = if grid.is_jittered() { "jittered" } else { "regular" };
                 write!(f, ", {} {kind} samples a pixel", grid.samples())
             }
+            Sampler::Corners(cutting) => write!(f, ", antialiasing {}", CuttingValue(*cutting)),
             Sampler::Sobol(Spreading { samples, lamps, split }) => {
                 write!(f, ", {} sobol samples a pixel, seed {}", samples.samples(), samples.seed())?;
                 match lamps {

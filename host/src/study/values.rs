@@ -18,6 +18,7 @@ mod functions;
 mod mesh;
 mod notation;
 mod spectrum;
+mod spreading;
 mod texture;
 
 pub use functions::Function;
@@ -48,7 +49,7 @@ impl Comparison {
 
 /// Returns all functions, as they are computed in the format `S`.
 fn all<S: Narrow>() -> Vec<Function> {
-    [functions::all::<S>(), texture::all::<S>(), mesh::all::<S>()].concat()
+    [functions::all::<S>(), texture::all::<S>(), mesh::all::<S>(), spreading::all::<S>()].concat()
 }
 
 /// Returns the names of all functions.

@@ -22,6 +22,7 @@ mod pipes;
 mod refused;
 mod report;
 mod show;
+mod spreading;
 mod textures;
 mod window;
 

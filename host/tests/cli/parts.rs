@@ -6,14 +6,16 @@ use super::film::SCENE as FILM;
 use super::folder::{Folder, SCENE};
 
 /// Pictures, their parts, and the options that they are traced with: tables made of samples and of all pixels, tables that grow, diffusion
-/// across the seams, several samples a pixel, no device, and linear light.
-const PICTURES: [(&str, &[&str]); 6] = [
+/// across the seams, several samples a pixel, no device, linear light, rays that are spread, and pixels that are cut.
+const PICTURES: [(&str, &[&str]); 8] = [
     ("png", &["--size", "40x25"]),
     ("png", &["--size", "40x25", "--device", "graphigs", "--table", "baked", "--samples", "4"]),
     ("ppm", &["--size", "40x25", "--device", "pixrect", "--table", "tolerant", "--dither", "fs"]),
     ("png", &["--size", "40x25", "--table", "frame", "--format", "q16", "--table-samples", "100"]),
     ("png", &["--size", "40x25", "--device", "none"]),
     ("pfm", &["--size", "40x25", "--device", "none", "--format", "f64"]),
+    ("png", &["--size", "40x25", "--sampler", "sobol", "--samples", "4", "--aperture", ".1"]),
+    ("png", &["--size", "40x25", "--aa", "whitted"]),
 ];
 
 /// Writes the parts of a picture.

@@ -15,7 +15,6 @@ mod json;
 mod picture;
 mod request;
 mod screen;
-mod search;
 mod session;
 
 use core::cell::RefCell;

@@ -19,7 +19,7 @@ use rta_scenes::{Model, in_format};
 use crate::explain::{Explanation, Recorder};
 use crate::failure::Failure;
 use crate::request::{DEPTH, MAX_DEPTH, Request};
-use crate::search::Search;
+use rta_scenes::accelerator::search::Search;
 
 /// How a picture is traced, whatever its number format.
 #[derive(Clone, Copy, Debug)]

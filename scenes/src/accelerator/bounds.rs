@@ -27,6 +27,16 @@ impl Bounds {
         bounds
     }
 
+    /// Returns the box, moved by a vector.
+    #[must_use]
+    pub fn moved(self, by: [f64; 3]) -> Self {
+        let moved = |mut place: [f64; 3]| {
+            place.iter_mut().zip(by).for_each(|(c, by)| *c += by);
+            place
+        };
+        Self { low: moved(self.low), high: moved(self.high) }
+    }
+
     /// Returns the box of both.
     #[must_use]
     pub fn with(mut self, other: &Self) -> Self {

@@ -54,7 +54,19 @@ pub fn solids(scene: &Description) -> Vec<Solid> {
         let bounds = t.vertices.iter().fold(Bounds::NONE, corner);
         Solid { bounds, cost: 1.5, object: Object::Triangle(i) }
     });
-    spheres.chain(ellipsoids).chain(cones).chain(triangles).collect()
+    let all = spheres.chain(ellipsoids).chain(cones).chain(triangles);
+    if !scene.has_motion() {
+        return all.collect();
+    }
+    // About all of its way.
+    let swept = |solid: Solid| match scene.swept(solid.object) {
+        Some([from, to]) => {
+            let bounds = solid.bounds.moved(from).with(&solid.bounds.moved(to));
+            Solid { bounds, ..solid }
+        }
+        None => solid,
+    };
+    all.map(swept).collect()
 }
 
 fn axis(cone: &Cone) -> [f64; 3] {
@@ -90,5 +102,6 @@ pub fn reach(scene: &Description, object: Object, from: [f64; 3]) -> f64 {
         }
         _ => None,
     };
-    found.unwrap_or(0.0)
+    let moved = scene.swept(object).map_or(0.0, |ends| ends.map(length).into_iter().fold(0.0, f64::max));
+    found.unwrap_or(0.0) + moved
 }

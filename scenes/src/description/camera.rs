@@ -44,10 +44,10 @@ impl Camera {
     }
 }
 
-/// What a camera with a lens has that a pinhole has not. Nothing draws it yet, but that nothing is clipped.
+/// What a camera with a lens has that a pinhole has not. Nothing is clipped.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Optics {
-    /// Distance from the eye that is sharp, above 0.
+    /// Distance from the eye that is sharp, above 0, along the direction of view; without it, the length of [`Camera::view`].
     pub focus: Option<f64>,
     /// Diameter of the lens, above 0.
     pub aperture: Option<f64>,

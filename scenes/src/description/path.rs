@@ -157,6 +157,48 @@ impl Description {
         scene
     }
 
+    /// Returns whether something moves while the shutter is open.
+    #[must_use]
+    pub fn has_motion(&self) -> bool {
+        self.details.objects.values().any(|detail| detail.moves.is_some())
+    }
+
+    /// Returns when the shutter opens and closes: from 0 to 1 where nothing is said.
+    fn shutter(&self) -> [f64; 2] {
+        self.optics.shutter.unwrap_or([0.0, 1.0])
+    }
+
+    /// Returns the scene as it is in the middle of the time that the shutter is open, from -1/2 to 1/2.
+    #[must_use]
+    pub fn in_the_middle(&self) -> Self {
+        let mut scene = self.clone();
+        let [opening, closing] = self.shutter();
+        for (&object, detail) in &self.details.objects {
+            if let Some(moves) = detail.moves {
+                scene.shift(object, moves.map(|c| c * f64::midpoint(opening, closing)));
+            }
+        }
+        for moves in scene.details.objects.values_mut().filter_map(|detail| detail.moves.as_mut()) {
+            moves.iter_mut().for_each(|c| *c *= closing - opening);
+        }
+        scene.optics.shutter = Some([-0.5, 0.5]);
+        scene
+    }
+
+    /// Returns the scene as it is in the middle of the time that the shutter is open, in which nothing moves.
+    #[must_use]
+    pub fn stopped(&self) -> Self {
+        let mut scene = self.in_the_middle();
+        scene.details.objects.values_mut().for_each(|detail| detail.moves = None);
+        scene
+    }
+
+    /// Returns how far an object is moved when the shutter opens and when it closes.
+    pub(crate) fn swept(&self, object: Object) -> Option<[Triple; 2]> {
+        let moves = self.details.objects.get(&object)?.moves?;
+        Some(self.shutter().map(|time| moves.map(|c| c * time)))
+    }
+
     /// Moves an object.
     fn shift(&mut self, object: Object, by: Triple) {
         let place = |number: u32| usize::try_from(number).unwrap_or(usize::MAX);

@@ -3,9 +3,11 @@
 use rta_core::camera::{Aperture, Camera};
 use rta_core::light::area::Square;
 use rta_core::trace::dice::Spread;
+use rta_core::trace::moving::Motion;
 use rta_core::vector::{UnitVector, Vector};
 
 use super::check::Checker;
+use super::moving::motions;
 use super::{Narrow, NarrowError};
 use crate::description::{Description, LampShape, Material};
 use crate::sampler::Spreading;
@@ -20,6 +22,8 @@ pub struct Spreads<S: Narrow> {
     pub aperture: Option<Aperture<S>>,
     /// Roughness of the materials, in their order as far as any is rough.
     pub roughness: Vec<S::Unit>,
+    /// What moves while the shutter is open.
+    pub motions: Vec<Motion<S>>,
 }
 
 impl<S: Narrow> Spreads<S> {
@@ -49,7 +53,12 @@ impl<S: Narrow> Spreads<S> {
         let mut roughness: Vec<_> = said.iter().map(|own| S::unit(own.roughness.unwrap_or(0.0))).collect();
         let rough = said.iter().rposition(|own| own.roughness.is_some_and(|roughness| roughness > 0.0));
         roughness.truncate(rough.map_or(0, |last| last + 1));
-        Ok(Self { squares, aperture: aperture(description, camera)?, roughness })
+        Ok(Self {
+            squares,
+            aperture: aperture(description, camera)?,
+            roughness,
+            motions: motions(description)?,
+        })
     }
 }
 

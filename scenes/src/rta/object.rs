@@ -84,9 +84,6 @@ impl<'a> Reader<'a> {
             _ => Shading::Normals,
         };
         let detail = Detail { shading, moves: said.triple("moves"), along: self.along(said)?, uv };
-        if detail.moves.is_some() {
-            self.undrawn("motion", said.place.0);
-        }
         if detail != Detail::default() {
             self.scene.details.objects.insert(object, detail);
         }

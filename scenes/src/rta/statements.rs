@@ -63,8 +63,9 @@ const ONCE: &[Statement] = &[
             may(
                 "shutter",
                 &[V("opening", Number(Any)), V("closing", Number(Any))],
-                "when it opens and closes; kept, not drawn yet",
-            ),
+                "when it opens and closes, for what moves",
+            )
+            .default("0 1"),
             may(
                 "hither",
                 &[V("hither", Number(Positive))],

@@ -14,6 +14,7 @@ mod bvh;
 mod cases;
 mod circles;
 mod coats;
+mod corners;
 mod devices;
 mod drawn;
 mod edges;

@@ -145,7 +145,7 @@ fn no_cutoff_changes_nothing_and_some_cutoff_does() {
 fn samples_change_edges_and_do_not_depend_on_how_a_picture_is_cut() {
     let scene = shipped_scene("juggler");
     for sampling in [grid(2), grid(3).jittered(1)] {
-        let settings = Settings { sampling, ..small(Format::Q16) };
+        let settings = Settings { sampling: sampling.into(), ..small(Format::Q16) };
         let whole = levels(&scene, &settings);
         assert!(whole != levels(&scene, &small(Format::Q16)));
         let engine = Engine::new(&scene, &settings).expect("it fits");

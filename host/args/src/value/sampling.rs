@@ -4,7 +4,7 @@ use core::fmt;
 use core::str::FromStr;
 
 use rta_core::sampling::{Sampling, Sobol};
-use rta_scenes::sampler::Lamps;
+use rta_scenes::sampler::{Cutting, Lamps};
 
 /// Samples a pixel: 1 to [`Sobol::MAX_SAMPLES`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -103,11 +103,42 @@ impl fmt::Display for LampsValue {
     }
 }
 
+/// How pixels are cut for adaptive antialiasing.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct CuttingValue(pub Cutting);
+
+/// It is no way of adaptive antialiasing.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("expected whitted, or whitted:K with a depth K from 0 to {}", Cutting::DEEPEST)]
+pub struct NotCutting;
+
+/// Corners that differ by more than this many 256ths of white are not alike.
+const TOLERANCE: u8 = 16;
+
+impl FromStr for CuttingValue {
+    type Err = NotCutting;
+
+    fn from_str(text: &str) -> Result<Self, NotCutting> {
+        let text = text.to_ascii_lowercase();
+        if text == "whitted" {
+            return Ok(Self(Cutting::default()));
+        }
+        let depth = text.strip_prefix("whitted:").and_then(|depth| depth.parse().ok());
+        depth.and_then(|depth| Cutting::new(depth, TOLERANCE)).map(Self).ok_or(NotCutting)
+    }
+}
+
+impl fmt::Display for CuttingValue {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "whitted:{}", self.0.depth())
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use rta_core::sampling::Places;
 
-    use super::{LampsValue, Samples};
+    use super::{CuttingValue, LampsValue, Samples};
 
     #[test]
     fn samples_on_a_grid_are_squares() {
@@ -122,6 +153,18 @@ mod tests {
         }
         for text in ["0", "-4", "", "16385", "4294967295", "4.0"] {
             assert!(text.parse::<Samples>().is_err(), "{text}");
+        }
+    }
+
+    #[test]
+    fn cutting_is_told_as_it_is_read() {
+        for (text, told) in [("whitted", "whitted:2"), ("whitted:0", "whitted:0"), ("Whitted:4", "whitted:4")]
+        {
+            let read = text.parse::<CuttingValue>().expect(text);
+            assert_eq!(read.to_string(), told);
+        }
+        for text in ["", "whitted:", "whitted:5", "whitted:-1", "mitchell:2"] {
+            assert!(text.parse::<CuttingValue>().is_err(), "{text}");
         }
     }
 

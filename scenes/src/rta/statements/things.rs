@@ -27,7 +27,7 @@ const COLOR: Part =
 const MOVES: Part = may(
     "moves",
     &[V("motion", Vector(Any))],
-    "how far it moves while the shutter is open; kept, not drawn yet",
+    "how far it moves in the time from 0 to 1, in which the shutter is open",
 );
 const INSIDE: Part = may("inside", &[], "it is seen from the inside only");
 const ONE_SIDED: Part = may("one-sided", &[], "it is seen only from where its corners run counterclockwise");

@@ -13,7 +13,7 @@ use rta_core::{Error, Scalar};
 
 /// A way of searching that is chosen when a scene is known.
 #[derive(Clone, Copy, Debug)]
-pub(crate) enum Search<'a, S: Scalar> {
+pub enum Search<'a, S: Scalar> {
     /// One object after the other.
     Lists,
     /// By a hierarchy.

@@ -1,0 +1,88 @@
+//! Rays that are spread, and pixels that are cut, from the command line.
+
+use std::fs;
+
+use super::folder::{Folder, SCENE};
+
+const LENS: &str = "\
+rta 1
+camera at 0 -8 2  to 0 0 1  lens 1.2  aperture .6
+sky horizon .8 .87 .97  zenith .15 .3 .65
+floor .9 .9 .9  .1 .1 .1
+lamp at -5 -6 8  radius 1  power 75  square
+ambient grey .25
+material brushed like mirror  roughness .3
+sphere at 0 0 1  radius 1  color .9 .2 .1  of brushed
+sphere at 2 3 1  radius 1  of crown
+";
+
+fn hash(folder: &Folder, args: &[&str]) -> String {
+    folder.prints(&[&["hash", "lens.rta", "--size", "24x18"], args].concat())
+}
+
+#[test]
+fn what_spreads_is_drawn_with_samples_that_spread_it() {
+    let folder = Folder::new();
+    folder.scene("lens.rta", LENS);
+    let natural = hash(&folder, &[]);
+    assert!(natural.contains("16 sobol samples a pixel, seed 0"), "{natural}");
+    assert_eq!(natural, hash(&folder, &["--sampler", "sobol", "--samples", "16", "--lamps", "point"]));
+    let digits = |text: &str| text[..16].to_owned();
+    let pinhole = hash(&folder, &["--sampler", "grid"]);
+    assert!(!pinhole.contains("samples"), "{pinhole}");
+    let all = [
+        natural,
+        pinhole,
+        hash(&folder, &["--aperture", "0"]),
+        hash(&folder, &["--focus", "3"]),
+        hash(&folder, &["--seed", "1"]),
+        hash(&folder, &["--lamps", "area"]),
+        hash(&folder, &["--lamps", "area", "--split", "4"]),
+        hash(&folder, &["--lamps", "fixed:4"]),
+        hash(&folder, &["--samples", "5"]),
+        hash(&folder, &["--aa", "whitted"]),
+        hash(&folder, &["--aa", "whitted:1"]),
+    ];
+    for (i, one) in all.iter().enumerate() {
+        assert!(all[..i].iter().all(|other| digits(other) != digits(one)), "{one}");
+    }
+    assert!(all[7].contains("lamps fixed:4, split 1"), "{}", all[7]);
+}
+
+#[test]
+fn pictures_do_not_depend_on_the_threads() {
+    let folder = Folder::new();
+    folder.scene("lens.rta", LENS);
+    for options in [&["--lamps", "area", "--samples", "4"][..], &["--aa", "whitted"]] {
+        let picture = |threads, format| {
+            let options = [options, &["--threads", threads, "--format", format]].concat();
+            folder.renders(&[&["lens.rta", "-o", "out.png", "--size", "40x30"], &options[..]].concat());
+            fs::read(folder.path("out.png")).expect("it is written")
+        };
+        for format in ["f32", "q20"] {
+            assert_eq!(picture("1", format), picture("3", format), "{options:?} {format}");
+        }
+    }
+}
+
+#[test]
+fn options_that_contradict_each_other_are_refused() {
+    let folder = Folder::new();
+    folder.scene("scene.dat", SCENE);
+    for (options, words) in [
+        (&["--sampler", "grid", "--lamps", "area"][..], &["--lamps", "spread", "--sampler grid"][..]),
+        (&["--sampler", "grid", "--seed", "3"], &["--seed", "--sampler grid"]),
+        (&["--sampler", "grid", "--aperture", "1"], &["--aperture", "--sampler grid"]),
+        (&["--sampler", "sobol", "--jitter", "3"], &["--jitter", "--seed"]),
+        (&["--samples", "3"], &["--samples 3", "square number", "--sampler sobol"]),
+        (&["--samples", "16385"], &["--samples", "16384"]),
+        (&["--lamps", "fixed:3"], &["--lamps", "square number"]),
+        (&["--split", "0"], &["--split", "1 to 1024"]),
+        (&["--aperture", "-1"], &["--aperture"]),
+        (&["--focus", "0"], &["--focus", "above 0"]),
+        (&["--aa", "whitted:5"], &["--aa", "whitted:K"]),
+        (&["--aa", "whitted", "--samples", "4"], &["--aa", "--samples"]),
+    ] {
+        folder.refuses(&[&["render", "scene.dat", "-o", "out.png"], options].concat(), words);
+    }
+}
