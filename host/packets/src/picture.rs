@@ -136,8 +136,8 @@ pub trait Picture<S: Narrow>: Send + Sync {
         for y in first..end.min(grid.height()) {
             let row = lattice.row::<S::Unit>(grid, y);
             for x in 0..grid.width() {
-                let ((x, y), number) = (lattice.pixel(x, y), 0);
-                let own = Sample { x, y, number };
+                let (column, line) = lattice.pixel(x, y);
+                let own = Sample { x: column, y: line, number: 0 };
                 put(self.sample(lattice.place(grid, row, x, 0), own, &mut cache, &mut ()));
             }
         }
