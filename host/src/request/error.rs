@@ -109,6 +109,11 @@ pub enum RequestError {
     /// An option of the other sampler.
     #[error("{_0} is about rays that are spread, which those of --sampler grid are not")]
     OfSobol(&'static str),
+    /// An option that spreads rays, for a picture of several wavelengths.
+    #[error(
+        "{_0} is about rays that are spread, and those of several wavelengths are not; --spectral 0 traces one"
+    )]
+    Spectral(&'static str),
     /// The picture does not fit its device.
     #[error(transparent)]
     Picture(#[from] PictureError),

@@ -17,7 +17,7 @@ const SPREAD: u32 = 16;
 ///
 /// # Errors
 /// [`RequestError::Samples`] for a number that fills no grid, [`RequestError::OfGrid`] and [`RequestError::OfSobol`] for an option of the
-/// other sampler.
+/// other sampler, [`RequestError::Spectral`] for one that spreads the rays of several wavelengths.
 pub fn sampler(asked: &SpreadingArgs, scene: Option<&Description>) -> Result<Sampler, RequestError> {
     if let Some(CuttingValue(cutting)) = asked.aa {
         return Ok(Sampler::Corners(cutting));
@@ -30,6 +30,9 @@ pub fn sampler(asked: &SpreadingArgs, scene: Option<&Description>) -> Result<Sam
         (asked.aperture.is_some_and(|radius| radius > 0.0), "--aperture"),
     ];
     let of_sobol = of_sobol.into_iter().find_map(|(is_asked, option)| is_asked.then_some(option));
+    if let (Some(option), true) = (of_sobol, scene.is_some_and(is_spectral)) {
+        return Err(RequestError::Spectral(option));
+    }
     let spreads = || scene.is_some_and(|scene| spreads(asked, scene));
     let natural = if asked.jitter.is_none() && (of_sobol.is_some() || spreads()) {
         SamplerKind::Sobol
@@ -54,12 +57,22 @@ pub fn sampler(asked: &SpreadingArgs, scene: Option<&Description>) -> Result<Sam
     }
 }
 
-/// Returns whether something in the scene spreads rays by itself: a lens, motion, or a rough material.
+/// Returns whether something in the scene spreads rays by itself: a lens, motion, or a rough material; nothing in a picture of several
+/// wavelengths.
 fn spreads(asked: &SpreadingArgs, scene: &Description) -> bool {
+    if is_spectral(scene) {
+        return false;
+    }
     let has_lens = asked.aperture.or(scene.optics.aperture).is_some_and(|aperture| aperture > 0.0);
     has_lens
         || scene.has_motion()
         || scene.materials.iter().any(|own| own.roughness.is_some_and(|roughness| roughness > 0.0))
+}
+
+/// Returns whether the picture has several wavelengths, whose rays are not spread.
+fn is_spectral(scene: &Description) -> bool {
+    let is_dispersive = scene.materials.iter().any(|own| own.dispersion.is_some());
+    scene.settings.wavelengths.is_some_and(|count| count > 0) && is_dispersive
 }
 
 /// Puts the lens of the options into a scene.

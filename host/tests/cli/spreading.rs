@@ -66,6 +66,16 @@ fn pictures_do_not_depend_on_the_threads() {
 }
 
 #[test]
+fn pictures_of_several_wavelengths_are_not_spread() {
+    let folder = Folder::new();
+    let prism = "picture 20 20  samples 4\nspectral 9\nmaterial flint  transmit .9 specular .1 diffuse 0  index 1.62  abbe 33\nsphere at 0 -3 1  radius .5  of flint\n";
+    folder.scene("lens.rta", LENS.to_owned() + prism);
+    assert!(hash(&folder, &[]).contains("4 regular samples"), "{}", hash(&folder, &[]));
+    folder.refuses(&["hash", "lens.rta", "--lamps", "area"], &["--lamps", "wavelengths", "--spectral 0"]);
+    assert!(hash(&folder, &["--spectral", "0", "--lamps", "area"]).contains("4 sobol samples"));
+}
+
+#[test]
 fn options_that_contradict_each_other_are_refused() {
     let folder = Folder::new();
     folder.scene("scene.dat", SCENE);
