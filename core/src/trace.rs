@@ -74,6 +74,9 @@ pub trait Trace<S: Scalar> {
     /// What its accelerator keeps from ray to ray: [`Accelerator::Memory`].
     type Memory: Default;
 
+    /// Whether samples differ in more than the ray from the eye: whether [`Trace::sample`] is more than what it is by itself.
+    const SPREADS: bool = false;
+
     /// Returns the radiance that a ray from `origin` in the unit direction `direction` brings back, from the whole ray tree.
     /// `memory` is what the accelerator keeps from ray to ray; `observer` is told of every ray.
     fn trace<O: Observer<S> + ?Sized>(
@@ -112,7 +115,7 @@ impl<S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Accelerator
         memory: &mut A::Memory,
         observer: &mut O,
     ) -> Rgb<S::Light> {
-        self.walk(Start { origin, direction }, &Still, memory, observer)
+        self.walk(Start { origin, direction }, Still, memory, observer)
     }
 }
 
@@ -164,29 +167,31 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Acceler
     fn walk<D: Dice<S>, O: Observer<S> + ?Sized>(
         &self,
         start: Start<S>,
-        dice: &D,
+        dice: D,
         memory: &mut A::Memory,
         observer: &mut O,
     ) -> Rgb<S::Light> {
-        let (mut current, mut node) = (Pending { start, branch: Branch::eye::<S>() }, D::EYE);
+        // A ray and its node, in one place: taken apart, they are copied once more.
+        let mut current = (Pending { start, branch: Branch::eye::<S>() }, D::EYE);
         if !N::MIRROR {
-            return self.arrived(&mut current, &mut None, (dice, node), memory, observer);
+            return self.arrived(&mut current.0, &mut None, (dice, current.1), memory, observer);
         }
         let mut pending = Waiting::<S, M::Weight, D::Node, STACK>::new();
         let mut light = Rgb::BLACK;
         loop {
             let mut surface = None;
-            let weighted = self.arrived(&mut current, &mut surface, (dice, node), memory, observer);
+            let weighted = self.arrived(&mut current.0, &mut surface, (dice, current.1), memory, observer);
             observer.light(weighted);
             light = light.plus(weighted);
             let next = match &surface {
-                Some(surface) if current.branch.depth < self.depth => {
-                    self.spawn(surface, (&current, dice, node), (&mut pending, &mut light), observer)
+                Some(surface) if current.0.branch.depth < self.depth => {
+                    let parent = (&current.0, dice, current.1);
+                    self.spawn(surface, parent, (&mut pending, &mut light), observer)
                 }
                 _ => None,
             };
             match next.or_else(|| pending.pop()) {
-                Some(next) => (current, node) = next,
+                Some(next) => current = next,
                 None => return light,
             }
         }
@@ -199,7 +204,7 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Acceler
         &self,
         current: &mut Pending<S, M::Weight>,
         surface: &mut Option<Surface<'a, S>>,
-        dice: (&D, D::Node),
+        dice: (D, D::Node),
         memory: &mut A::Memory,
         observer: &mut O,
     ) -> Rgb<S::Light> {
@@ -235,7 +240,7 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Acceler
         &self,
         current: &Pending<S, M::Weight>,
         (length, met): (&mut Option<S>, &mut Option<Surface<'a, S>>),
-        (dice, node): (&D, D::Node),
+        (dice, node): (D, D::Node),
         memory: &mut A::Memory,
         observer: &mut O,
     ) -> Rgb<S::Light> {

@@ -93,7 +93,7 @@ pub fn casts_shadow_ray<N: Needs, L: Light>(light: Rgb<L>) -> bool {
 }
 
 /// A secondary ray that is to be traced, if there is one.
-pub type Spawned<S, W> = Option<(Branch<W>, Start<S>)>;
+type Spawned<S, W> = Option<(Branch<W>, Start<S>)>;
 
 /// Returns the weights of the secondary rays of a surface.
 #[inline]

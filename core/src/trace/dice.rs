@@ -12,8 +12,8 @@ use crate::ray::RayKind;
 use crate::sampling::pairs::{Pairs, Purpose};
 use crate::scalar::{Scalar, Unit};
 
-/// What the rays of a sample are spread by.
-pub trait Dice<S: Scalar> {
+/// What the rays of a sample are spread by. It is handed on by value, so that [`Still`] dice take no memory.
+pub trait Dice<S: Scalar>: Copy {
     /// Whether nothing is spread, so that the compiler leaves out all that spreads.
     const STILL: bool;
     /// The place of a ray in the ray tree.
@@ -26,18 +26,21 @@ pub trait Dice<S: Scalar> {
 
     /// Returns the roughness of a material by its number, 0 (a mirror) to 1; and what chooses the facet that reflects or refracts the ray at
     /// `node`: two numbers of 32 bits behind the point.
-    fn facet(&self, _material: u16, _node: Self::Node) -> Option<(S::Unit, [u32; 2])> {
+    fn facet(self, _material: u16, _node: Self::Node) -> Option<(S::Unit, [u32; 2])> {
         None
     }
 
     /// Returns the places on lamp number `lamp` that light the point where the ray at `node` ends; `None` if the lamp is a point. `is_first`
     /// says whether that is a ray from the eye.
-    fn places(&self, _lamp: usize, _node: Self::Node, _is_first: bool) -> Option<LampPlaces> {
+    fn places(self, _lamp: usize, _node: Self::Node, _is_first: bool) -> Option<LampPlaces> {
         None
     }
 
     /// Returns the parallelogram that lamp number `lamp` is; `None` where it is a sphere.
-    fn square(&self, _lamp: usize) -> Option<&Square<S>> {
+    fn square<'d>(self, _lamp: usize) -> Option<&'d Square<S>>
+    where
+        Self: 'd,
+    {
         None
     }
 }
@@ -117,7 +120,7 @@ impl<S: Scalar> Thrown<'_, S> {
     }
 }
 
-impl<S: Scalar> Dice<S> for Thrown<'_, S> {
+impl<S: Scalar> Dice<S> for &Thrown<'_, S> {
     const STILL: bool = false;
     /// The numbers of [`Purpose::tag`].
     type Node = u32;
@@ -127,13 +130,13 @@ impl<S: Scalar> Dice<S> for Thrown<'_, S> {
         node.wrapping_mul(2).wrapping_add(u32::from(kind == RayKind::Transmitted))
     }
 
-    fn facet(&self, material: u16, node: u32) -> Option<(S::Unit, [u32; 2])> {
+    fn facet(self, material: u16, node: u32) -> Option<(S::Unit, [u32; 2])> {
         let roughness = *self.spread.roughness.get(usize::from(material))?;
         let words = || self.pairs(Purpose::Lobe, node).words(self.sample.number);
         (roughness > S::Unit::ZERO).then(|| (roughness, words()))
     }
 
-    fn places(&self, lamp: usize, node: u32, is_first: bool) -> Option<LampPlaces> {
+    fn places(self, lamp: usize, node: u32, is_first: bool) -> Option<LampPlaces> {
         match self.spread.lamps {
             Lamps::Point => None,
             Lamps::Fixed(side) => Some(LampPlaces::grid(side)),
@@ -142,14 +145,17 @@ impl<S: Scalar> Dice<S> for Thrown<'_, S> {
                 // Each lamp has a seed of its own.
                 let lamp = u32::try_from(lamp).unwrap_or(u32::MAX);
                 let seed = self.seed.wrapping_add(lamp.wrapping_mul(0x9e37_79b9));
-                let own = Self { seed, ..*self };
+                let own = Thrown { seed, ..*self };
                 let first = self.sample.number.wrapping_mul(split);
                 Some(LampPlaces::some(own.pairs(Purpose::Lamp, node), first, split))
             }
         }
     }
 
-    fn square(&self, lamp: usize) -> Option<&Square<S>> {
+    fn square<'d>(self, lamp: usize) -> Option<&'d Square<S>>
+    where
+        Self: 'd,
+    {
         self.spread.squares.get(lamp)?.as_ref()
     }
 }

@@ -39,7 +39,7 @@ impl<S: Scalar, M, N, const STACK: usize, A> Distributed<'_, S, M, N, STACK, A> 
     ) -> Start<S> {
         match &self.spread.aperture {
             Some(aperture) => {
-                let spots = dice.pairs(Purpose::Lens, Thrown::<S>::EYE);
+                let spots = dice.pairs(Purpose::Lens, <&Thrown<S> as Dice<S>>::EYE);
                 camera.through(aperture, (right, up), disc(spots.units(dice.sample.number)))
             }
             None => Start { origin: camera.eye, direction: camera.direction(right, up) },
@@ -51,6 +51,7 @@ impl<S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Accelerator
     for Distributed<'_, S, M, N, STACK, A>
 {
     type Memory = A::Memory;
+    const SPREADS: bool = true;
 
     /// As sample 0 of the first pixel.
     fn trace<O: Observer<S> + ?Sized>(

@@ -21,7 +21,7 @@ impl<S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Accelerator
         &self,
         surface: &Surface<S>,
         (number, lamp): (usize, &Lamp<S>),
-        (dice, places): (&D, &LampPlaces),
+        (dice, places): (D, &LampPlaces),
         memory: &mut A::Memory,
         observer: &mut O,
     ) -> Rgb<S::Light> {
@@ -47,6 +47,6 @@ impl<S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Accelerator
 }
 
 /// Returns whether a lamp is larger than a point for some dice: a sphere with a radius, or a parallelogram.
-pub(super) fn has_size<S: Scalar, D: Dice<S>>(dice: &D, number: usize, lamp: &Lamp<S>) -> bool {
+pub(super) fn has_size<S: Scalar, D: Dice<S>>(dice: D, number: usize, lamp: &Lamp<S>) -> bool {
     lamp.radius > S::ZERO || dice.square(number).is_some()
 }

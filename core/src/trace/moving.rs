@@ -99,6 +99,7 @@ where
     R: Room<S>,
 {
     type Memory = Memory<A::Memory, R>;
+    const SPREADS: bool = true;
 
     /// As sample 0 of the first pixel, in the middle of the time.
     fn trace<O: Observer<S> + ?Sized>(
@@ -124,7 +125,8 @@ where
         observer: &mut O,
     ) -> Rgb<S::Light> {
         let dice = self.still.dice(sample);
-        let [time, _]: [S::Unit; 2] = dice.pairs(Purpose::Time, Thrown::<S>::EYE).units(sample.number);
+        let [time, _]: [S::Unit; 2] =
+            dice.pairs(Purpose::Time, <&Thrown<S> as Dice<S>>::EYE).units(sample.number);
         let time = time - S::Unit::ratio(1, 2);
         let start = self.still.start(camera, place, &dice);
         let Memory { accelerator, room } = memory;

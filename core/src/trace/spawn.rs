@@ -2,19 +2,17 @@
 
 mod rough;
 
-use core::fmt::Debug;
-
-use super::decision::{Branch, Spawned, Start, branch, mirrored_sky, refract, secondary};
+use super::decision::{Branch, Start, branch, mirrored_sky, refract, secondary};
 use super::dice::Dice;
 use super::{Observer, Pending, Tracer, Waiting};
 use crate::accelerator::Accelerator;
 use crate::color::Rgb;
-use crate::illumination::{Illumination, Weight};
+use crate::illumination::{Illumination, Secondary, Weight};
 use crate::material::Glass;
 use crate::needs::Needs;
 use crate::sampling::mapping::Facets;
 use crate::scalar::Scalar;
-use crate::scalar::vector::{LengthVector, UnitVec3, UnitVector};
+use crate::scalar::vector::{LengthVector, UnitVector};
 use crate::surface::Surface;
 
 /// The rays that still wait, and the light that arrived.
@@ -22,7 +20,7 @@ type Sum<'t, S, W, T, const STACK: usize> =
     (&'t mut Waiting<S, W, T, STACK>, &'t mut Rgb<<S as Scalar>::Light>);
 
 /// A ray that spawns others, the dice of its sample, and its node in the tree.
-type Parent<'t, S, W, D> = (&'t Pending<S, W>, &'t D, <D as Dice<S>>::Node);
+type Parent<'t, S, W, D> = (&'t Pending<S, W>, D, <D as Dice<S>>::Node);
 
 /// A ray to be traced, and its node in the tree.
 type Child<S, W, T> = Option<(Pending<S, W>, T)>;
@@ -65,7 +63,7 @@ impl<S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Accelerator
     }
 
     /// Spawns the secondary rays of a surface that is a point of a mesh or not: two functions, so that all of the second is inlined.
-    #[cfg_attr(not(target_os = "none"), inline(always))]
+    #[inline]
     fn spawn_by<D: Dice<S>, O: Observer<S> + ?Sized, const MESH: bool>(
         &self,
         surface: &Surface<S>,
@@ -78,31 +76,37 @@ impl<S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Accelerator
         } else {
             self.model.secondary::<N>(surface)
         };
-        let start = |direction, leaves| leaving::<S, N>(surface, direction, leaves);
-        let reflected = || start(surface.incoming.reflect(surface.normal), true);
+        self.spawn_about::<D, O>((surface, surface), secondary, parent, sum, observer)
+    }
+
+    /// Spawns the secondary rays of a surface with the weights `secondary`, reflected and refracted about the normal of `facet`: of the surface
+    /// itself, or of one that has the normal of one of its facets.
+    #[inline(always)] // not inlined, it costs a small machine 24 bytes of stack
+    fn spawn_about<D: Dice<S>, O: Observer<S> + ?Sized>(
+        &self,
+        (surface, facet): (&Surface<S>, &Surface<S>),
+        secondary: Secondary<M::Weight>,
+        (parent, _, node): Parent<S, M::Weight, D>,
+        (pending, light): Sum<S, M::Weight, D::Node, STACK>,
+        observer: &mut O,
+    ) -> Child<S, M::Weight, D::Node> {
+        let start = |direction, leaves: bool| {
+            let (side, direction) = (surface.side::<N>(), surface.fold::<N>(direction, leaves));
+            let (origin, _) =
+                surface.point.leave(if leaves { side } else { -side }, direction, surface.extent);
+            Start { origin, direction }
+        };
+        let reflected = || start(surface.incoming.reflect(facet.normal), true);
         let mut is_total = false;
         let refracted = |glass: &Glass<S>| {
-            let direction = refract(surface, glass);
+            let direction = refract(facet, glass);
             is_total = direction.is_none();
             direction.map(|direction| start(direction, false))
         };
-        let place = (&parent.0.branch, self.cutoff);
+        let place = (&parent.branch, self.cutoff);
         let straight = || start(surface.incoming, false);
-        let spawned = branch::<S, M::Weight, N>(secondary, surface, place, reflected, refracted, straight);
-        self.send::<_, D, O>(surface, parent.2, (spawned, is_total), sum, observer)
-    }
-
-    /// Pushes the transmitted ray and returns the reflected one, or adds to the light what that brings where it sees the sky alone. `is_total`
-    /// tells whether there was total internal reflection.
-    #[inline]
-    pub(super) fn send<T: Copy + Debug, D: Dice<S, Node = T>, O: Observer<S> + ?Sized>(
-        &self,
-        surface: &Surface<S>,
-        node: T,
-        ([transmitted, reflected], is_total): ([Spawned<S, M::Weight>; 2], bool),
-        (pending, light): Sum<S, M::Weight, T, STACK>,
-        observer: &mut O,
-    ) -> Child<S, M::Weight, T> {
+        let [transmitted, reflected] =
+            branch::<S, M::Weight, N>(secondary, surface, place, reflected, refracted, straight);
         if is_total {
             observer.total_reflection();
         }
@@ -128,16 +132,4 @@ impl<S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Accelerator
         }
         reflected.map(told)
     }
-}
-
-/// Returns the start of a secondary ray of a surface in that direction, which `leaves` on the side of the normal or goes through.
-#[inline]
-pub(super) fn leaving<S: Scalar, N: Needs>(
-    surface: &Surface<S>,
-    direction: UnitVec3<S>,
-    leaves: bool,
-) -> Start<S> {
-    let (side, direction) = (surface.side::<N>(), surface.fold::<N>(direction, leaves));
-    let (origin, _) = surface.point.leave(if leaves { side } else { -side }, direction, surface.extent);
-    Start { origin, direction }
 }

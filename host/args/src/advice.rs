@@ -16,7 +16,7 @@ const ELSEWHERE: [(&str, &str, &str); 9] = [
     (
         "samples",
         "--samples 4 takes that many samples of a pixel",
-        "spp aa antialias anti-aliasing antialiasing supersample supersampling quality n",
+        "spp antialias anti-aliasing antialiasing supersample supersampling quality n",
     ),
     ("threads", "--threads 4 traces with so many threads", "jobs j cores cpus parallel T"),
     (

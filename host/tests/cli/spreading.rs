@@ -88,7 +88,7 @@ fn options_that_contradict_each_other_are_refused() {
         (&["--samples", "16385"], &["--samples", "16384"]),
         (&["--lamps", "fixed:3"], &["--lamps", "square number"]),
         (&["--split", "0"], &["--split", "1 to 1024"]),
-        (&["--aperture", "-1"], &["--aperture"]),
+        (&["--aperture", "wide"], &["--aperture", "0 or more"]),
         (&["--focus", "0"], &["--focus", "above 0"]),
         (&["--aa", "whitted:5"], &["--aa", "whitted:K"]),
         (&["--aa", "whitted", "--samples", "4"], &["--aa", "--samples"]),

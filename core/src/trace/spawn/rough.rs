@@ -1,8 +1,8 @@
 //! The secondary rays of a rough surface: one of its facets, by chance, reflects and refracts.
 
-use super::super::decision::{branch, refract, secondary};
+use super::super::decision::{refract, secondary};
 use super::super::dice::Dice;
-use super::{Child, Parent, Sum, leaving};
+use super::{Child, Parent, Sum};
 use crate::accelerator::Accelerator;
 use crate::illumination::{Bend, Illumination, Weight};
 use crate::needs::Needs;
@@ -51,16 +51,6 @@ impl<S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Accelerator
             rays.transmitted = dimmed(rays.transmitted, part);
         }
         rays.reflected = dimmed(rays.reflected, above);
-        let start = |direction, leaves| leaving::<S, N>(surface, direction, leaves);
-        let is_total = rays.transmitted.is_some() && matches!(through, Some(None));
-        let spawned = branch::<S, M::Weight, N>(
-            rays,
-            surface,
-            (&parent.0.branch, self.cutoff),
-            || start(mirrored, true),
-            |_| through.flatten().map(|direction| start(direction, false)),
-            || start(surface.incoming, false),
-        );
-        self.send::<_, D, O>(surface, parent.2, (spawned, is_total), sum, observer)
+        self.spawn_about::<D, O>((surface, &facet), rays, parent, sum, observer)
     }
 }
