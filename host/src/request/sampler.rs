@@ -45,7 +45,9 @@ pub fn sampler(asked: &SpreadingArgs, scene: Option<&Description>) -> Result<Sam
         (SamplerKind::Sobol, _) if asked.jitter.is_some() => Err(RequestError::OfGrid),
         (SamplerKind::Grid, Some(option)) => Err(RequestError::OfSobol(option)),
         (SamplerKind::Grid, None) => {
-            let samples = samples.unwrap_or(Samples::ONE);
+            // A scene may be made for a number that fills no grid; then it is drawn with one sample.
+            let said = said.filter(|samples| samples.grid(None).is_ok());
+            let samples = asked.samples.or(said).unwrap_or(Samples::ONE);
             let grid = samples.grid(asked.jitter);
             Ok(Sampler::Grid(grid.map_err(|reason| RequestError::Samples { samples, reason })?))
         }
