@@ -21,6 +21,7 @@ use rta_args::value::rows::Rows;
 use rta_args::value::until::Until;
 
 pub use film::{Film, tempo};
+pub use passes::{Traced, trace};
 pub use work::{Source, Work};
 
 mod film;
@@ -92,7 +93,11 @@ fn draw(
     if let Some(end) = until {
         let engine = request.engine(&scene)?;
         advise();
-        let traced = passes::trace(&engine, size, end, args)?;
+        let traced = trace(&engine, size, end, (args.tracing.threads, args.quiet))?;
+        if let Some(warning) = traced.warning() {
+            // Whoever has closed standard error does not want to know.
+            let _ = writeln!(io::stderr(), "rta: warning: {warning}");
+        }
         (told, is_interrupted) = (traced.told(), traced.is_interrupted());
         let sampling = with_samples(request.sampling, traced.samples());
         caption = Request { sampling, ..request.clone() }.caption(&scene);

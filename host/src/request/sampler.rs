@@ -95,8 +95,15 @@ fn spreads(asked: &SpreadingArgs, scene: &Description) -> bool {
         || scene.materials.iter().any(|own| own.roughness.is_some_and(|roughness| roughness > 0.0))
 }
 
+/// Returns whether something in the scene spreads rays without an option: a lens, motion, or a rough material.
+#[must_use]
+pub fn spreads_by_itself(scene: &Description) -> bool {
+    spreads(&SpreadingArgs::default(), scene)
+}
+
 /// Returns whether the picture has several wavelengths, whose rays are not spread.
-fn is_spectral(scene: &Description) -> bool {
+#[must_use]
+pub fn is_spectral(scene: &Description) -> bool {
     let is_dispersive = scene.materials.iter().any(|own| own.dispersion.is_some());
     scene.settings.wavelengths.is_some_and(|count| count > 0) && is_dispersive
 }

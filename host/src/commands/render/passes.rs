@@ -1,7 +1,6 @@
 //! A picture that is traced in passes until its error is small, or its time is over.
 
 use core::sync::atomic::{AtomicBool, AtomicU32, Ordering};
-use std::io::{self, Write};
 use std::sync::Mutex;
 use std::time::Instant;
 
@@ -12,34 +11,35 @@ use rta_core::raster::lattice::Lattice;
 use rta_core::sampling::Sobol;
 
 use super::Source;
-use crate::args::DrawingArgs;
 use crate::engine::bands::{self, BandsError};
 use crate::engine::passes::{Ended, Passes};
 use crate::engine::progress::Progress;
 use crate::engine::{Engine, interrupt};
 use crate::error::Error;
-use crate::picture::error::{PictureError, name};
+use crate::picture::error::PictureError;
 use crate::picture::raster::Size;
 
 /// A picture with its last complete pass.
-pub(super) struct Traced<'e> {
+pub struct Traced<'e> {
     engine: &'e Engine,
     passes: Passes<'e>,
     is_interrupted: bool,
+    /// Whether there are as many samples as there may be, and the error is still larger.
+    is_short: bool,
 }
 
 /// Adds passes to a picture until its end; if one is interrupted, the picture is that of the passes before it where that is to be kept.
 ///
 /// # Errors
 /// [`PictureError::Memory`], [`BandsError::Threads`], and [`BandsError::Interrupted`] where nothing is kept.
-pub(super) fn trace<'e>(
+pub fn trace<'e>(
     engine: &'e Engine,
     size: Size,
     (until, keeps): (Until, bool),
-    args: &DrawingArgs,
+    (threads, is_quiet): (Option<u16>, bool),
 ) -> Result<Traced<'e>, Error> {
     let (began, stop) = (Instant::now(), interrupt::watch());
-    let pool = bands::pool(args.tracing.threads)?;
+    let pool = bands::pool(threads)?;
     let mut passes = engine.passes().ok_or(PictureError::Memory(size))?;
     let (enough, deadline) = match until {
         Until::Error(error) => (error, None),
@@ -49,21 +49,14 @@ pub(super) fn trace<'e>(
     while outcome.is_ok() && passes.error() > enough && passes.samples() < Sobol::MAX_SAMPLES {
         // There is a picture, however short the time.
         let deadline = deadline.filter(|_| passes.samples() > 0);
-        outcome = pass(&mut passes, size, &pool, (stop, deadline), args.quiet);
+        outcome = pass(&mut passes, size, &pool, (stop, deadline), is_quiet);
     }
     let is_interrupted = outcome == Err(Ended::Interrupted);
     if is_interrupted && !(keeps && passes.samples() > 0) {
         return Err(BandsError::Interrupted.into());
     }
-    if let (Until::Error(enough), Ok(())) = (until, outcome)
-        && passes.error() > enough
-    {
-        let (picture, error, most) = (name(&args.output), passes.error(), Sobol::MAX_SAMPLES);
-        // Whoever has closed standard error does not want to know.
-        let _ =
-            writeln!(io::stderr(), "rta: {picture}: the error is {error:.2e} with {most} samples, the most");
-    }
-    Ok(Traced { engine, passes, is_interrupted })
+    let is_short = outcome.is_ok() && passes.error() > enough;
+    Ok(Traced { engine, passes, is_interrupted, is_short })
 }
 
 /// Adds a pass, with a bar that shows how far it is.
@@ -94,17 +87,28 @@ fn pass(
 
 impl Traced<'_> {
     /// Returns the samples of each pixel.
-    pub(super) const fn samples(&self) -> u32 {
+    #[must_use]
+    pub const fn samples(&self) -> u32 {
         self.passes.samples()
     }
 
+    /// Returns a warning where the picture is not as good as it was to be.
+    #[must_use]
+    pub fn warning(&self) -> Option<String> {
+        let (error, samples) = (self.passes.error(), self.samples());
+        let warning = || format!("the estimated error is {error:.2e} with {samples} samples, the most");
+        self.is_short.then(warning)
+    }
+
     /// Returns whether an interrupt has ended the passes.
-    pub(super) const fn is_interrupted(&self) -> bool {
+    #[must_use]
+    pub const fn is_interrupted(&self) -> bool {
         self.is_interrupted
     }
 
     /// Returns what the last line says of the error.
-    pub(super) fn told(&self) -> String {
+    #[must_use]
+    pub fn told(&self) -> String {
         let end = if self.is_interrupted { ", interrupted" } else { "" };
         format!("; estimated error {:.2e}{end}", self.passes.error())
     }
