@@ -1,11 +1,13 @@
 //! `rta render`: a scene into a picture file.
 
+use core::sync::atomic::AtomicBool;
 use std::io::{self, Write};
 use std::time::Instant;
 
 use rta_scenes::shipped;
 
 use crate::args::{DrawingArgs, JuggleArgs, RenderArgs};
+use crate::engine::bands::BandsError;
 use crate::engine::interrupt;
 use crate::error::Error;
 use crate::picture::device::Target;
@@ -13,14 +15,18 @@ use crate::picture::error::{PictureError, name};
 use crate::picture::output::{Failure, PictureOutput};
 use crate::request::Request;
 use crate::request::error::RequestError;
+use crate::request::sampler::with_samples;
 use crate::request::scene_file::SceneFile;
 use rta_args::value::rows::Rows;
+use rta_args::value::until::Until;
 
 pub use film::{Film, tempo};
+pub use passes::{Traced, trace};
 pub use work::{Source, Work};
 
 mod film;
 mod part;
+mod passes;
 mod work;
 
 /// Frames of the Juggler's film of 1987, after which it begins anew.
@@ -31,11 +37,11 @@ const JUGGLER_FRAMES: u32 = 24;
 /// # Errors
 /// All of [`Error`].
 pub fn run(args: &RenderArgs) -> Result<(), Error> {
-    let RenderArgs { scene, rows, only, drawing } = args;
+    let RenderArgs { scene, rows, only, until, keep, drawing } = args;
     let scene = || SceneFile::open_as(scene, drawing.tracing.reading.into());
     match rows.as_ref().or(only.as_ref()) {
         Some(Rows(some)) => part::draw(drawing, some, scene),
-        None => draw(drawing, scene),
+        None => draw(drawing, until.map(|end| (end, *keep)), scene),
     }
 }
 
@@ -48,12 +54,16 @@ pub fn juggle(args: &JuggleArgs) -> Result<(), Error> {
     if drawing.tracing.reading.instant.is_none() {
         drawing.film.frames.get_or_insert(JUGGLER_FRAMES);
     }
-    draw(&drawing, || SceneFile::of_text("juggler", shipped::JUGGLING, drawing.tracing.reading.into()))
+    draw(&drawing, None, || SceneFile::of_text("juggler", shipped::JUGGLING, drawing.tracing.reading.into()))
 }
 
 /// Draws a scene into a file. Errors of the options, the scene and the output are found before the first ray, and a file is only
-/// replaced once the picture is complete.
-fn draw(args: &DrawingArgs, scene: impl FnOnce() -> Result<SceneFile, RequestError>) -> Result<(), Error> {
+/// replaced once the picture is complete. A picture that is traced in passes has an end, and whether an interrupt keeps what is there.
+fn draw(
+    args: &DrawingArgs,
+    until: Option<(Until, bool)>,
+    scene: impl FnOnce() -> Result<SceneFile, RequestError>,
+) -> Result<(), Error> {
     let began = Instant::now();
     Request::of(&args.tracing, args.device).raster()?;
     let output = PictureOutput::open(&args.output, args.file_type)?;
@@ -71,6 +81,7 @@ fn draw(args: &DrawingArgs, scene: impl FnOnce() -> Result<SceneFile, RequestErr
     let scene = scene()?;
     let output = output.beside(&scene.inputs)?;
     let request = Request::of_scene(&args.tracing, args.device, &scene)?;
+    let request = request.until(until.map(|(end, _)| end), &args.tracing, &scene)?;
     let (size, aspect) = request.raster()?;
     let mut caption = request.caption(&scene);
     let advise = || {
@@ -78,7 +89,25 @@ fn draw(args: &DrawingArgs, scene: impl FnOnce() -> Result<SceneFile, RequestErr
             request.fit(aspect).advise(&scene);
         }
     };
-    if let Some(frames) = args.film.frames {
+    let (mut told, mut is_interrupted) = (String::new(), false);
+    if let Some(end) = until {
+        let engine = request.engine(&scene)?;
+        advise();
+        let traced = trace(&engine, size, end, (args.tracing.threads, args.quiet))?;
+        if let Some(warning) = traced.warning() {
+            // Whoever has closed standard error does not want to know.
+            let _ = writeln!(io::stderr(), "rta: warning: {warning}");
+        }
+        (told, is_interrupted) = (traced.told(), traced.is_interrupted());
+        let sampling = with_samples(request.sampling, traced.samples());
+        caption = Request { sampling, ..request.clone() }.caption(&scene);
+        // The interrupt that has ended the passes is not to end the writing too.
+        let not_again = AtomicBool::new(false);
+        let stop = if is_interrupted { &not_again } else { interrupt::watch() };
+        let display = (request.target, request.coloring);
+        let work = Work::of(traced, display, (size, aspect), args.tracing.threads, stop)?.quiet(true);
+        output.fill(|out| work.write(file_type, &caption, out))?;
+    } else if let Some(frames) = args.film.frames {
         caption.settings += &tempo(frames, args.film.rate);
         let film = Film { request: &request, scene: &scene, args, frames };
         advise();
@@ -92,9 +121,10 @@ fn draw(args: &DrawingArgs, scene: impl FnOnce() -> Result<SceneFile, RequestErr
         let (picture, settings) = (name(&args.output), &caption.settings);
         let seconds = began.elapsed().as_secs_f64();
         // Whoever has closed standard error does not want to know.
-        let _ = writeln!(io::stderr(), "rta: {picture}: {file_type}, {size}, {settings}; {seconds:.2} s");
+        let _ =
+            writeln!(io::stderr(), "rta: {picture}: {file_type}, {size}, {settings}{told}; {seconds:.2} s");
     }
-    Ok(())
+    if is_interrupted { Err(BandsError::Interrupted.into()) } else { Ok(()) }
 }
 
 impl<T> From<T> for Failure<Error>

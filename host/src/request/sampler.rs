@@ -59,6 +59,30 @@ pub fn sampler(asked: &SpreadingArgs, scene: Option<&Description>) -> Result<Sam
     }
 }
 
+/// Returns the sampler of a picture that is traced in passes: that of the options, or a sequence where they would have a grid.
+///
+/// # Errors
+/// [`RequestError::Passes`] for a grid that is asked for, [`RequestError::Spectral`] for a picture of several wavelengths.
+pub fn passes(sampler: Sampler, asked: &SpreadingArgs, scene: &Description) -> Result<Sampler, RequestError> {
+    if asked.sampler == Some(SamplerKind::Grid) {
+        return Err(RequestError::Passes);
+    }
+    if is_spectral(scene) {
+        return Err(RequestError::Spectral("--until"));
+    }
+    let samples = Sobol::new(SPREAD, 0).ok_or(RequestError::Passes)?;
+    let plain = Spreading { samples, lamps: Lamps::Point, split: 1 };
+    Ok(Sampler::Sobol(sampler.spreading().copied().unwrap_or(plain)))
+}
+
+/// Returns the sampler with so many samples of its sequence; a grid stays as it is.
+#[must_use]
+pub fn with_samples(sampler: Sampler, samples: u32) -> Sampler {
+    let Sampler::Sobol(spreading) = sampler else { return sampler };
+    let samples = Sobol::new(samples, spreading.samples.seed()).unwrap_or(spreading.samples);
+    Sampler::Sobol(Spreading { samples, ..spreading })
+}
+
 /// Returns whether something in the scene spreads rays by itself: a lens, motion, or a rough material; nothing in a picture of several
 /// wavelengths.
 fn spreads(asked: &SpreadingArgs, scene: &Description) -> bool {
@@ -71,8 +95,15 @@ fn spreads(asked: &SpreadingArgs, scene: &Description) -> bool {
         || scene.materials.iter().any(|own| own.roughness.is_some_and(|roughness| roughness > 0.0))
 }
 
+/// Returns whether something in the scene spreads rays without an option: a lens, motion, or a rough material.
+#[must_use]
+pub fn spreads_by_itself(scene: &Description) -> bool {
+    spreads(&SpreadingArgs::default(), scene)
+}
+
 /// Returns whether the picture has several wavelengths, whose rays are not spread.
-fn is_spectral(scene: &Description) -> bool {
+#[must_use]
+pub fn is_spectral(scene: &Description) -> bool {
     let is_dispersive = scene.materials.iter().any(|own| own.dispersion.is_some());
     scene.settings.wavelengths.is_some_and(|count| count > 0) && is_dispersive
 }

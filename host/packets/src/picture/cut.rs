@@ -1,5 +1,7 @@
 //! Pictures with adaptive antialiasing: light at the corners of pixels, which are cut where it differs.
 
+use core::cell::RefCell;
+
 use rta_core::color::Rgb;
 use rta_core::raster::Raster;
 use rta_core::raster::corners::{Corners, Cutting};
@@ -22,9 +24,13 @@ pub(super) struct Cut<S: Narrow> {
 }
 
 /// The rays of a picture, one by one.
-struct Rays<'a, S: Narrow>(&'a dyn Picture<S>);
+struct Rays<'a, 'o, S: Narrow> {
+    single: &'a dyn Picture<S>,
+    /// Who is told of every ray.
+    observer: RefCell<&'o mut dyn Observer<S>>,
+}
 
-impl<S: Narrow> Trace<S> for Rays<'_, S> {
+impl<S: Narrow> Trace<S> for Rays<'_, '_, S> {
     type Memory = ShadowCache;
 
     /// In the middle of the picture: whoever asks for a direction has no place.
@@ -36,7 +42,7 @@ impl<S: Narrow> Trace<S> for Rays<'_, S> {
         _observer: &mut O,
     ) -> Rgb<S::Light> {
         let middle = S::unit(0.0);
-        self.0.sample((middle, middle), Sample::default(), memory, &mut ())
+        self.single.sample((middle, middle), Sample::default(), memory, *self.observer.borrow_mut())
     }
 
     fn sample<O: Observer<S> + ?Sized>(
@@ -47,13 +53,15 @@ impl<S: Narrow> Trace<S> for Rays<'_, S> {
         memory: &mut ShadowCache,
         _observer: &mut O,
     ) -> Rgb<S::Light> {
-        self.0.sample(place, sample, memory, &mut ())
+        self.single.sample(place, sample, memory, *self.observer.borrow_mut())
     }
 }
 
-impl<S: Narrow> Picture<S> for Cut<S> {
-    fn rows(&self, first: u32, end: u32, put: PutRow<S>) {
-        let (raster, rays) = (self.setup.raster, Rays(&*self.single));
+impl<S: Narrow> Cut<S> {
+    /// Calls `put` with the light of the pixels of some rows; `observer` is told of every ray.
+    fn cut_rows(&self, first: u32, end: u32, put: PutRow<S>, observer: &mut dyn Observer<S>) {
+        let raster = self.setup.raster;
+        let rays = Rays { single: &*self.single, observer: RefCell::new(observer) };
         let width = usize::try_from(raster.width()).unwrap_or_default();
         let mut above = vec![Rgb::BLACK; width + 1];
         let camera = &self.scene().camera;
@@ -66,6 +74,16 @@ impl<S: Narrow> Picture<S> for Cut<S> {
             put(&row);
             row.clear();
         }
+    }
+}
+
+impl<S: Narrow> Picture<S> for Cut<S> {
+    fn rows(&self, first: u32, end: u32, put: PutRow<S>) {
+        self.cut_rows(first, end, put, &mut ());
+    }
+
+    fn observed_rows(&self, first: u32, end: u32, observer: &mut dyn Observer<S>) {
+        self.cut_rows(first, end, &mut |_| {}, observer);
     }
 
     fn preview_rows(&self, raster: Raster, first: u32, end: u32, put: PutRow<S>) {
