@@ -23,7 +23,7 @@ use crate::picture::file::Caption;
 use crate::picture::raster::{Aspect, Size};
 use error::RequestError;
 use fit::Fit;
-use sampler::{Told, passes, put_lens, sampler};
+use sampler::{Told, passes, put_lens, sampler, settling};
 use scene_file::SceneFile;
 
 /// Depth of the rays where neither the command line nor the scene says it.
@@ -124,6 +124,15 @@ impl Request {
         }
         let sampling = passes(self.sampling, &asked.spreading, &scene.description)?;
         Ok(Self { sampling, until, ..self })
+    }
+
+    /// Returns the request of a picture whose pixels end early where their samples agree; `asked` and `scene` are those of
+    /// [`Request::of_scene`].
+    ///
+    /// # Errors
+    /// Those of [`settling`].
+    pub fn settling(self, asked: &TracingArgs, scene: &SceneFile) -> Result<Self, RequestError> {
+        Ok(Self { sampling: settling(self.sampling, &asked.spreading, &scene.description)?, ..self })
     }
 
     /// Completes the request for a scene. The model is the one that was `asked` for, else the one that the scene was made for;

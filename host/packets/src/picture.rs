@@ -33,7 +33,7 @@ mod moving;
 mod spectral;
 mod spread;
 
-pub use added::{Pass, Sums};
+pub use added::{Added, Pass, Sums};
 use cut::Cut;
 pub use error::PictureError;
 use moving::Moving;

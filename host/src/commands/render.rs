@@ -18,10 +18,9 @@ use crate::request::error::RequestError;
 use crate::request::sampler::with_samples;
 use crate::request::scene_file::SceneFile;
 use rta_args::value::rows::Rows;
-use rta_args::value::until::Until;
 
 pub use film::{Film, tempo};
-pub use passes::{Traced, trace};
+pub use passes::{Goal, Traced, trace};
 pub use work::{Source, Work};
 
 mod film;
@@ -37,11 +36,14 @@ const JUGGLER_FRAMES: u32 = 24;
 /// # Errors
 /// All of [`Error`].
 pub fn run(args: &RenderArgs) -> Result<(), Error> {
-    let RenderArgs { scene, rows, only, until, keep, drawing } = args;
+    let RenderArgs { scene, rows, only, until, keep, tolerance, drawing } = args;
     let scene = || SceneFile::open_as(scene, drawing.tracing.reading.into());
     match rows.as_ref().or(only.as_ref()) {
         Some(Rows(some)) => part::draw(drawing, some, scene),
-        None => draw(drawing, until.map(|end| (end, *keep)), scene),
+        None => {
+            let end = until.map(|end| Goal::Until(end, *keep));
+            draw(drawing, end.or(tolerance.map(Goal::Settled)), scene)
+        }
     }
 }
 
@@ -58,10 +60,10 @@ pub fn juggle(args: &JuggleArgs) -> Result<(), Error> {
 }
 
 /// Draws a scene into a file. Errors of the options, the scene and the output are found before the first ray, and a file is only
-/// replaced once the picture is complete. A picture that is traced in passes has an end, and whether an interrupt keeps what is there.
+/// replaced once the picture is complete. A picture that is traced in passes has a `goal`.
 fn draw(
     args: &DrawingArgs,
-    until: Option<(Until, bool)>,
+    goal: Option<Goal>,
     scene: impl FnOnce() -> Result<SceneFile, RequestError>,
 ) -> Result<(), Error> {
     let began = Instant::now();
@@ -81,7 +83,11 @@ fn draw(
     let scene = scene()?;
     let output = output.beside(&scene.inputs)?;
     let request = Request::of_scene(&args.tracing, args.device, &scene)?;
-    let request = request.until(until.map(|(end, _)| end), &args.tracing, &scene)?;
+    let request = match goal {
+        Some(Goal::Until(end, _)) => request.until(Some(end), &args.tracing, &scene)?,
+        Some(Goal::Settled(_)) => request.settling(&args.tracing, &scene)?,
+        None => request,
+    };
     let (size, aspect) = request.raster()?;
     let mut caption = request.caption(&scene);
     let advise = || {
@@ -90,10 +96,10 @@ fn draw(
         }
     };
     let (mut told, mut is_interrupted) = (String::new(), false);
-    if let Some(end) = until {
+    if let Some(goal) = goal {
         let engine = request.engine(&scene)?;
         advise();
-        let traced = trace(&engine, size, end, (args.tracing.threads, args.quiet))?;
+        let traced = trace(&engine, size, goal, (args.tracing.threads, args.quiet))?;
         if let Some(warning) = traced.warning() {
             // Whoever has closed standard error does not want to know.
             let _ = writeln!(io::stderr(), "rta: warning: {warning}");
@@ -101,6 +107,9 @@ fn draw(
         (told, is_interrupted) = (traced.told(), traced.is_interrupted());
         let sampling = with_samples(request.sampling, traced.samples());
         caption = Request { sampling, ..request.clone() }.caption(&scene);
+        if let Goal::Settled(tolerance) = goal {
+            caption.settings += &format!(" at most, tolerance {tolerance}");
+        }
         // The interrupt that has ended the passes is not to end the writing too.
         let not_again = AtomicBool::new(false);
         let stop = if is_interrupted { &not_again } else { interrupt::watch() };

@@ -1,32 +1,23 @@
 //! Pictures that are traced in passes: each doubles the samples that a pixel has, and tells how far the picture is from a converged one.
 
-use core::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use core::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
 use rayon::ThreadPool;
-use rayon::iter::{IndexedParallelIterator, ParallelIterator};
-use rayon::slice::{ParallelSlice, ParallelSliceMut};
 use rta_core::color::Rgb;
-use rta_core::raster::Places;
 use rta_core::sampling::Sobol;
 use rta_core::sampling::pairs::hash;
-use rta_packets::picture::{Pass, Picture, Setup};
-use rta_scenes::narrow::Narrow;
+use rta_packets::picture::Pass;
 
+use super::Engine;
 use super::bands::BandsError;
-use super::{Engine, single};
+
+pub(super) use accumulated::begin;
+
+mod accumulated;
 
 /// Scrambles of the samples whose spread is the error, that of the picture among them.
 const SCRAMBLES: usize = 4;
-
-/// The error is told by one pixel of each block of so many rows and columns of a large picture.
-const BLOCK: u32 = 4;
-
-/// A small picture has smaller blocks, so that there are about as many.
-const BLOCKS: u32 = 1024;
-
-/// Pixels that a thread adds to before it asks whether the work is to end.
-const CHUNK: usize = 32;
 
 /// Why a pass is not completed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -52,6 +43,10 @@ impl From<Ended> for BandsError {
 /// Its error is told by the same pixels with three more seeds: the sample variance of the four sums has the mean of the picture's own
 /// squared error, as scrambled samples have the right mean (A. Owen, "Randomly Permuted (t,m,s)-Nets", 1995). One pixel of each block of
 /// 4 x 4 is asked (more of a picture below 128 x 128), so that it costs 3/16 of the picture's rays.
+///
+/// With a tolerance a pixel ends early: after 4, 8, 16 ... samples, once its own samples and those of its eight neighbours agree within it
+/// ([`Agreement::is_within`](rta_packets::agreement::Agreement::is_within)). What a pixel's few samples have missed, an edge or a small
+/// thing, a neighbour has mostly met. Such a picture has no estimated error, and 28 bytes more a pixel.
 pub struct Passes<'e> {
     sums: Box<dyn Sums + 'e>,
     samples: u32,
@@ -71,7 +66,13 @@ pub(super) trait Sums: Send + Sync {
         done: &(dyn Fn(usize) + Sync),
     ) -> bool;
 
-    /// Returns the rms error of the light, by the spread of the scrambles.
+    /// Returns how many pixels are to take more samples.
+    fn unsettled(&self) -> usize;
+
+    /// Returns how many samples all pixels have together, if each that is not settled has `all`.
+    fn taken(&self, all: u32) -> u64;
+
+    /// Returns the rms error of the light, by the spread of the scrambles; infinite where it is not asked for.
     fn error(&self, samples: Sobol) -> f64;
 
     /// Fills `out` with linear light, from row `first` on.
@@ -85,8 +86,16 @@ impl Engine {
     /// Begins a picture that is traced in passes; `None` where there is no memory for it. Its seed is that of the engine's samples.
     #[must_use]
     pub fn passes(&self) -> Option<Passes<'_>> {
+        self.passes_within(None)
+    }
+
+    /// Begins a picture that is traced in passes, whose pixels end early where there is a tolerance, in
+    /// [`Agreement::PARTS`](rta_packets::agreement::Agreement::PARTS) of a level; `None` where there is no memory for it.
+    #[must_use]
+    pub fn passes_within(&self, tolerance: Option<u16>) -> Option<Passes<'_>> {
         let seed = self.settings.sampling.spreading().map_or(0, |spreading| spreading.samples.seed());
-        Some(Passes { sums: self.rows.sums(seed)?, samples: 0, error: f64::INFINITY, seed })
+        let sums = self.rows.sums(seed, tolerance)?;
+        Some(Passes { sums, samples: 0, error: f64::INFINITY, seed })
     }
 }
 
@@ -97,8 +106,20 @@ impl Passes<'_> {
         self.samples
     }
 
+    /// Returns whether all pixels have ended early.
+    #[must_use]
+    pub fn is_settled(&self) -> bool {
+        self.sums.unsettled() == 0
+    }
+
+    /// Returns how many samples all pixels have together.
+    #[must_use]
+    pub fn taken(&self) -> u64 {
+        self.sums.taken(self.samples)
+    }
+
     /// Returns the estimated error: rms of linear light, from 0 for black to 1 for white, over all pixels and their three registers. It is
-    /// infinite before the first pass.
+    /// infinite before the first pass, and of a picture whose pixels end early.
     #[must_use]
     pub const fn error(&self) -> f64 {
         self.error
@@ -157,133 +178,5 @@ impl Passes<'_> {
         if let Some(samples) = self.placed() {
             self.sums.levels(samples, first, gun_max, out);
         }
-    }
-}
-
-/// The sums of a picture in the number format `S`.
-struct Accumulated<'e, S: Narrow> {
-    picture: &'e dyn Picture<S>,
-    width: usize,
-    sums: Vec<Rgb<S::Light>>,
-    /// Room for the next pass.
-    next: Vec<Rgb<S::Light>>,
-    checked: Vec<Checked<S>>,
-    next_checked: Vec<Checked<S>>,
-}
-
-/// A pixel by which the error is told: its place, and its sums by the other seeds.
-#[derive(Clone, Copy)]
-struct Checked<S: Narrow> {
-    pixel: [u32; 2],
-    sums: [Rgb<S::Light>; SCRAMBLES - 1],
-}
-
-/// Begins the sums of a picture; `None` where there is no memory for them.
-pub(super) fn begin<S: Narrow>(picture: &dyn Picture<S>, seed: u32) -> Option<Box<dyn Sums + '_>> {
-    let Setup { raster, .. } = *picture.setup();
-    let (width, height) = (usize::try_from(raster.width()).ok()?, usize::try_from(raster.height()).ok()?);
-    let black = || {
-        let mut sums = Vec::new();
-        sums.try_reserve_exact(width.checked_mul(height)?).ok()?;
-        sums.resize(width * height, Rgb::BLACK);
-        Some(sums)
-    };
-    // Both sides are below 2^16.
-    let side = (raster.width() * raster.height() / BLOCKS).isqrt().clamp(1, BLOCK);
-    let mut checked = Vec::new();
-    for y in (0..raster.height()).step_by(side as usize) {
-        for x in (0..raster.width()).step_by(side as usize) {
-            // A place of its own in each block: what repeats in the picture is met as often as it is there.
-            let [right, down, ..] = hash([x, y, seed, 1]);
-            let pixel = [x + right % side, y + down % side];
-            if pixel[0] < raster.width() && pixel[1] < raster.height() {
-                checked.push(Checked { pixel, sums: [Rgb::BLACK; SCRAMBLES - 1] });
-            }
-        }
-    }
-    let next_checked = checked.clone();
-    Some(Box::new(Accumulated { picture, width, sums: black()?, next: black()?, checked, next_checked }))
-}
-
-impl<S: Narrow> Accumulated<'_, S> {
-    /// Hands each pixel from row `first` on over with its mean light.
-    fn each<T>(&self, samples: Sobol, first: u32, out: &mut [T], convert: impl Fn(Rgb<S::Light>) -> T) {
-        let sums = self.sums.iter().skip(first as usize * self.width);
-        for (pixel, &sum) in out.iter_mut().zip(sums) {
-            *pixel = convert(samples.mean(sum));
-        }
-    }
-}
-
-impl<S: Narrow> Sums for Accumulated<'_, S> {
-    fn add(
-        &mut self,
-        [own, others @ ..]: [Pass; SCRAMBLES],
-        pool: &ThreadPool,
-        goes_on: &(dyn Fn() -> bool + Sync),
-        done: &(dyn Fn(usize) + Sync),
-    ) -> bool {
-        let (picture, width) = (self.picture, self.width);
-        let added = AtomicUsize::new(0);
-        let place = |index: usize| {
-            // Both are sides of a raster.
-            [index % width, index / width].map(|side| u32::try_from(side).unwrap_or(u32::MAX))
-        };
-        pool.install(|| {
-            let chunks = self.next.par_chunks_mut(CHUNK).zip(self.sums.par_chunks(CHUNK)).enumerate();
-            chunks.for_each(|(chunk, (next, sums))| {
-                if goes_on() {
-                    next.copy_from_slice(sums);
-                    picture.add(own, &mut (chunk * CHUNK..).map(place).zip(next.iter_mut()));
-                    added.fetch_add(sums.len(), Ordering::Relaxed);
-                    done(sums.len());
-                }
-            });
-            let chunks = self.next_checked.par_chunks_mut(CHUNK).zip(self.checked.par_chunks(CHUNK));
-            chunks.for_each(|(next, checked)| {
-                if goes_on() {
-                    next.copy_from_slice(checked);
-                    for (scramble, pass) in others.into_iter().enumerate() {
-                        let sums = next
-                            .iter_mut()
-                            .filter_map(|Checked { pixel, sums }| Some((*pixel, sums.get_mut(scramble)?)));
-                        picture.add(pass, &mut { sums });
-                    }
-                    added.fetch_add(checked.len(), Ordering::Relaxed);
-                }
-            });
-        });
-        let is_complete = added.into_inner() == self.sums.len() + self.checked.len();
-        if is_complete {
-            core::mem::swap(&mut self.sums, &mut self.next);
-            core::mem::swap(&mut self.checked, &mut self.next_checked);
-        }
-        is_complete
-    }
-
-    #[allow(clippy::cast_precision_loss)] // a picture has fewer than 2^32 pixels
-    fn error(&self, samples: Sobol) -> f64 {
-        let spread = |checked: &Checked<S>| {
-            let [x, y] = checked.pixel.map(|side| side as usize);
-            let own = self.sums.get(y * self.width + x).copied().unwrap_or(Rgb::BLACK);
-            let light = |sum| samples.mean(sum).map(S::light_to_f64);
-            let [a, b, c] = checked.sums;
-            let lights = [own, a, b, c].map(light);
-            let variance = |register: fn(&Rgb<f64>) -> f64| {
-                let mean = lights.iter().map(register).sum::<f64>() / SCRAMBLES as f64;
-                let squares = lights.iter().map(|light| (register(light) - mean).powi(2));
-                squares.sum::<f64>() / (SCRAMBLES - 1) as f64
-            };
-            (variance(|light| light.r) + variance(|light| light.g) + variance(|light| light.b)) / 3.0
-        };
-        (self.checked.iter().map(spread).sum::<f64>() / self.checked.len().max(1) as f64).sqrt()
-    }
-
-    fn linear(&self, samples: Sobol, first: u32, out: &mut [Rgb<f32>]) {
-        self.each(samples, first, out, |light| light.map(single::<S>));
-    }
-
-    fn levels(&self, samples: Sobol, first: u32, gun_max: u8, out: &mut [Rgb<u8>]) {
-        self.each(samples, first, out, |light| light.levels(gun_max));
     }
 }

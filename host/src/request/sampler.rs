@@ -13,6 +13,9 @@ use super::error::RequestError;
 /// Samples of a pixel where rays are spread and neither the command line nor the scene says how many.
 const SPREAD: u32 = 16;
 
+/// The most samples of a pixel that ends early where its samples agree.
+const SETTLED: u32 = 64;
+
 /// Returns the sampler that the options ask for; where they leave it open, by the scene.
 ///
 /// # Errors
@@ -68,11 +71,24 @@ pub fn passes(sampler: Sampler, asked: &SpreadingArgs, scene: &Description) -> R
         return Err(RequestError::Passes);
     }
     if is_spectral(scene) {
-        return Err(RequestError::Spectral("--until"));
+        return Err(RequestError::Spectral("passes of samples"));
     }
     let samples = Sobol::new(SPREAD, 0).ok_or(RequestError::Passes)?;
     let plain = Spreading { samples, lamps: Lamps::Point, split: 1 };
     Ok(Sampler::Sobol(sampler.spreading().copied().unwrap_or(plain)))
+}
+
+/// Returns the sampler of a picture whose pixels end early: that of passes, with the most samples that a pixel may take.
+///
+/// # Errors
+/// Those of [`passes`].
+pub fn settling(
+    sampler: Sampler,
+    asked: &SpreadingArgs,
+    scene: &Description,
+) -> Result<Sampler, RequestError> {
+    let most = asked.samples.map_or(SETTLED, Samples::count);
+    Ok(with_samples(passes(sampler, asked, scene)?, most))
 }
 
 /// Returns the sampler with so many samples of its sequence; a grid stays as it is.

@@ -65,6 +65,40 @@ impl fmt::Display for Samples {
     }
 }
 
+/// How far the samples of a pixel may be from agreeing, as a part of white.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ToleranceValue(f64);
+
+/// It is no tolerance.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("expected a part of white from {} to 1", ToleranceValue::LEAST)]
+pub struct NotTolerance;
+
+impl ToleranceValue {
+    /// The smallest: a sixteenth of one of 255 levels, rounded up.
+    const LEAST: f64 = 0.00025;
+
+    /// Returns the part of white.
+    #[must_use]
+    pub const fn part(self) -> f64 {
+        self.0
+    }
+}
+
+impl FromStr for ToleranceValue {
+    type Err = NotTolerance;
+
+    fn from_str(text: &str) -> Result<Self, NotTolerance> {
+        text.parse().ok().filter(|part| (Self::LEAST..=1.0).contains(part)).map(Self).ok_or(NotTolerance)
+    }
+}
+
+impl fmt::Display for ToleranceValue {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.0.fmt(f)
+    }
+}
+
 /// How lamps with a size are asked for their light.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct LampsValue(pub Lamps);
@@ -138,7 +172,7 @@ impl fmt::Display for CuttingValue {
 mod tests {
     use rta_core::sampling::Places;
 
-    use super::{CuttingValue, LampsValue, Samples};
+    use super::{CuttingValue, LampsValue, Samples, ToleranceValue};
 
     #[test]
     fn samples_on_a_grid_are_squares() {
@@ -165,6 +199,16 @@ mod tests {
         }
         for text in ["", "whitted:", "whitted:5", "whitted:-1", "mitchell:2"] {
             assert!(text.parse::<CuttingValue>().is_err(), "{text}");
+        }
+    }
+
+    #[test]
+    fn a_tolerance_is_a_part_of_white() {
+        for (text, told) in [("1", "1"), (".01", "0.01"), ("1e-3", "0.001"), ("0.00025", "0.00025")] {
+            assert_eq!(text.parse::<ToleranceValue>().expect(text).to_string(), told);
+        }
+        for text in ["", "0", "-0.1", "1.01", "1e-5", "NaN", "inf", "a"] {
+            assert!(text.parse::<ToleranceValue>().is_err(), "{text}");
         }
     }
 

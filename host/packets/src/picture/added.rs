@@ -6,6 +6,8 @@ use rta_core::sampling::Sobol;
 use rta_core::scalar::Scalar;
 use rta_core::trace::dice::Sample;
 
+use crate::agreement::Agreement;
+
 /// Samples that are added to those that pixels have.
 #[derive(Clone, Copy, Debug)]
 pub struct Pass {
@@ -15,8 +17,18 @@ pub struct Pass {
     pub first: u32,
 }
 
-/// Columns and rows of pixels, each with the sum of the light of its samples so far.
-pub type Sums<'p, 's, S> = &'p mut dyn Iterator<Item = ([u32; 2], &'s mut Rgb<<S as Scalar>::Light>)>;
+/// A pixel to which samples are added.
+pub struct Added<'s, S: Scalar> {
+    /// Its column and row.
+    pub place: [u32; 2],
+    /// The sum of the light of its samples so far.
+    pub sum: &'s mut Rgb<S::Light>,
+    /// What is told of each sample, where somebody asks whether they agree.
+    pub agreement: Option<&'s mut Agreement>,
+}
+
+/// Pixels to which samples are added.
+pub type Sums<'p, 's, S> = &'p mut dyn Iterator<Item = Added<'s, S>>;
 
 impl Pass {
     /// Adds the samples of the pixels of a picture on `raster`, which `trace` returns the light of: in the order of their numbers, as a
@@ -27,11 +39,15 @@ impl Pass {
         sums: Sums<S>,
         mut trace: impl FnMut((S::Unit, S::Unit), Sample) -> Rgb<S::Light>,
     ) {
-        for ([x, y], sum) in sums {
+        for Added { place: [x, y], sum, mut agreement } in sums {
             let row = Places::row::<S::Unit>(&self.samples, raster, y);
             for number in self.first..self.samples.samples() {
                 let place = self.samples.place(raster, row, x, number);
-                *sum = self.samples.add(*sum, trace(place, Sample { x, y, number }));
+                let light = trace(place, Sample { x, y, number });
+                *sum = self.samples.add(*sum, light);
+                if let Some(agreement) = &mut agreement {
+                    agreement.add(light);
+                }
             }
         }
     }

@@ -11,7 +11,7 @@ use minifb::{MouseMode, ScaleMode, Window, WindowOptions};
 use rta_scenes::shipped;
 
 use crate::args::{DrawingArgs, ShowArgs};
-use crate::commands::render::{Film, Work, tempo, trace};
+use crate::commands::render::{Film, Goal, Work, tempo, trace};
 use crate::commands::show::Show;
 use crate::commands::show::desktop::{self, Desktop};
 use crate::commands::show::keys::{Keyboard, Press};
@@ -98,7 +98,7 @@ fn written(
     let (mut content, mut caption) = (Vec::new(), request.caption(scene));
     if let Some(end) = request.until {
         let (engine, shape) = (request.engine(scene)?, request.raster()?);
-        let traced = trace(&engine, shape.0, (end, false), (tracing.threads, false))?;
+        let traced = trace(&engine, shape.0, Goal::Until(end, false), (tracing.threads, false))?;
         let sampling = with_samples(request.sampling, traced.samples());
         caption = Request { sampling, ..request.clone() }.caption(scene);
         let work = Work::of(traced, (request.target, request.coloring), shape, tracing.threads, stop)?;
