@@ -162,8 +162,9 @@ fn the_estimated_error_is_the_true_one() {
 #[cfg(target_os = "linux")]
 #[test]
 fn interrupts_leave_nothing_or_what_is_to_be_kept() {
+    use core::time::Duration;
     use std::process::{Command, Stdio};
-    use std::time::{Duration, Instant};
+    use std::time::Instant;
 
     let folder = Folder::new();
     folder.scene("all.rta", ALL);

@@ -10,7 +10,6 @@ use rta_core::color::Rgb;
 use rta_core::raster::Places;
 use rta_core::sampling::Sobol;
 
-use super::tracing::Part;
 use crate::engine::Engine;
 use crate::engine::bands::BandsError;
 use crate::engine::passes::Ended;
@@ -42,14 +41,15 @@ impl Passing {
         })
     }
 
-    /// Adds passes to a picture and sends it after each, in levels of `0..=light_max`.
+    /// Adds passes to a picture; after each, `send` takes the samples of a pixel, the estimated error, and the picture in levels of
+    /// `0..=light_max`.
     pub(super) fn trace(
         self,
         engine: &Engine,
         (size, light_max): (Size, u8),
         pool: &ThreadPool,
         stop: &AtomicBool,
-        send: &dyn Fn(Part) -> Result<(), BandsError>,
+        send: &dyn Fn(u32, f64, Vec<Rgb<u8>>) -> Result<(), BandsError>,
     ) -> Result<(), Error> {
         let deadline = self.time.and_then(|time| Instant::now().checked_add(time));
         let mut passes = engine.passes().ok_or(PictureError::Memory(size))?;
@@ -64,7 +64,7 @@ impl Passing {
             levels.try_reserve_exact(size.pixels()).map_err(|_| PictureError::Memory(size))?;
             levels.resize(size.pixels(), Rgb::default());
             passes.level_rows(0, light_max, &mut levels);
-            send(Part::Pass { samples: passes.samples(), error: passes.error(), levels })?;
+            send(passes.samples(), passes.error(), levels)?;
         }
         Ok(())
     }

@@ -150,7 +150,8 @@ impl Tracing {
                     send(Part::Samples { light, width: lattice.grid().width() })?;
                 }
                 if let Some(passes) = passes {
-                    passes.trace(&engine, (size, light_max), &pool, &stopped, &send)?;
+                    let pass = |samples, error, levels| send(Part::Pass { samples, error, levels });
+                    passes.trace(&engine, (size, light_max), &pool, &stopped, &pass)?;
                     return Ok(send(Part::Complete(began.elapsed()))?);
                 }
                 let trace = |first, levels: &mut [_]| engine.level_rows(first, light_max, levels);

@@ -66,7 +66,7 @@ pub struct Curve {
     pub way: [String; 4],
     /// From few samples to many.
     pub rows: Vec<Row>,
-    /// The slope of log error over log samples, by least squares; `None` for pictures whose pixels are cut.
+    /// The slope of log error over log samples, by least squares; `None` of a picture whose pixels are cut.
     pub slope: Option<f64>,
 }
 
@@ -126,13 +126,15 @@ fn ways(has_area_lamp: bool) -> Vec<Way> {
     let each = |of: &dyn Fn(u32) -> Option<Sampler>| {
         SAMPLES.into_iter().filter_map(|samples| Some((samples, of(samples)?))).collect()
     };
-    let cut = (0..=3).filter_map(|depth| Some((1, Sampler::Corners(Cutting::new(depth, TOLERANCE)?))));
     let mut ways = vec![
         (["grid", "point", "-", "-"], each(&grid(None))),
         (["jitter", "point", "-", "-"], each(&grid(Some(0)))),
-        (["grid", "point", "whitted:0 to 3", "-"], cut.collect()),
         (["sobol", "point", "-", "-"], each(&sobol(Lamps::Point, 1))),
     ];
+    for (depth, name) in (0..).zip(["whitted:0", "whitted:1", "whitted:2", "whitted:3"]) {
+        let cutting = Cutting::new(depth, TOLERANCE).map(Sampler::Corners);
+        ways.push((["-", "point", name, "-"], cutting.map(|cutting| (1, cutting)).into_iter().collect()));
+    }
     if has_area_lamp {
         ways.extend([
             (["sobol", "fixed:4", "-", "-"], each(&sobol(Lamps::Fixed(2), 1))),

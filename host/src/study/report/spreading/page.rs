@@ -67,7 +67,8 @@ fn method() -> String {
 Pictures a {STEP}th as wide and high, in f64, by the scene's own model. The error is the RMSE of linear light, each sample cut to
 0 to 1, against {REFERENCE} samples of sobol by another seed, whose lamps have their size. What draws another picture, because its rays
 are not spread or its lamps are points or fixed places, has an error that does not go away. Slopes are those of log error over log
-samples, by least squares: -0.5 is random, about -0.75 that of edges with well spread samples, and -1.5 of smooth light. CPU seconds
+samples, by least squares: -0.5 is random, about -0.75 that of edges with well spread samples (-0.6 where an edge
+is crossed by two pairs of numbers together, as those of pixel and lamp), and -1.5 of smooth light. CPU seconds
 are of one thread, up to 16 samples the median of {REPEATS} runs. Everything but the seconds is the same in every run.
 
 The two variances are of one sample, as means over all pixels and registers: of the place on the lamps where the ray from the eye
