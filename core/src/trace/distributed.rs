@@ -24,7 +24,7 @@ pub struct Distributed<'a, S: Scalar, M, N, const STACK: usize, A = Lists> {
     pub seed: u32,
 }
 
-impl<S: Scalar, M, N, const STACK: usize, A> Distributed<'_, S, M, N, STACK, A> {
+impl<S: Scalar, M, N: Needs, const STACK: usize, A> Distributed<'_, S, M, N, STACK, A> {
     /// Returns the dice of a sample.
     pub(super) const fn dice(&self, sample: Sample) -> Thrown<'_, S> {
         Thrown { spread: self.spread, sample, seed: self.seed }
@@ -38,11 +38,11 @@ impl<S: Scalar, M, N, const STACK: usize, A> Distributed<'_, S, M, N, STACK, A> 
         dice: &Thrown<S>,
     ) -> Start<S> {
         match &self.spread.aperture {
-            Some(aperture) => {
+            Some(aperture) if N::LENS => {
                 let spots = dice.pairs(Purpose::Lens, <&Thrown<S> as Dice<S>>::EYE);
                 camera.through(aperture, (right, up), disc(spots.units(dice.sample.number)))
             }
-            None => Start { origin: camera.eye, direction: camera.direction(right, up) },
+            _ => Start { origin: camera.eye, direction: camera.direction(right, up) },
         }
     }
 }

@@ -33,8 +33,8 @@ impl<S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Accelerator
         for k in 0..places.count() {
             let pair = places.get(k);
             let glimpse = match dice.square(number) {
-                Some(square) => Glimpse::of_square(&point, square, from, pair),
-                None => Some(Glimpse::of_sphere(&point, own, from, pair)),
+                Some(square) if N::SQUARE_LAMPS => Glimpse::of_square(&point, square, from, pair),
+                _ => Some(Glimpse::of_sphere(&point, own, from, pair)),
             };
             let Some(Glimpse { place, lamp }) = glimpse else { continue };
             let unhidden = glimpsed::<S, M, N>(&self.model, surface, &place, &lamp);
@@ -47,6 +47,6 @@ impl<S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Accelerator
 }
 
 /// Returns whether a lamp is larger than a point for some dice: a sphere with a radius, or a parallelogram.
-pub(super) fn has_size<S: Scalar, D: Dice<S>>(dice: D, number: usize, lamp: &Lamp<S>) -> bool {
-    lamp.radius > S::ZERO || dice.square(number).is_some()
+pub(super) fn has_size<S: Scalar, D: Dice<S>, N: Needs>(dice: D, number: usize, lamp: &Lamp<S>) -> bool {
+    lamp.radius > S::ZERO || N::SQUARE_LAMPS && dice.square(number).is_some()
 }
