@@ -3,7 +3,8 @@
 use rta_core::color::Rgb;
 use rta_core::raster::Raster;
 pub use rta_core::raster::corners::Cutting;
-use rta_core::sampling::{Places, Sampling, Sobol};
+pub use rta_core::sampling::Sobol;
+use rta_core::sampling::{Places, Sampling};
 use rta_core::scalar::{Light, Unit};
 pub use rta_core::trace::dice::Lamps;
 

@@ -10,8 +10,8 @@ use crate::illumination::Illumination;
 use crate::needs::Needs;
 use crate::sampling::mapping::disc;
 use crate::sampling::pairs::Purpose;
-use crate::scalar::Scalar;
 use crate::scalar::vector::{UnitVec3, Vec3};
+use crate::scalar::{Scalar, Unit};
 
 /// A tracer whose rays are spread over a lens, over lamps, and over the facets of rough surfaces.
 #[derive(Clone, Copy, Debug)]
@@ -39,8 +39,8 @@ impl<S: Scalar, M, N: Needs, const STACK: usize, A> Distributed<'_, S, M, N, STA
     ) -> Start<S> {
         match &self.spread.aperture {
             Some(aperture) if N::LENS => {
-                let spots = dice.pairs(Purpose::Lens, <&Thrown<S> as Dice<S>>::EYE);
-                camera.through(aperture, (right, up), disc(spots.units(dice.sample.number)))
+                let spot = dice.words(Purpose::Lens, <&Thrown<S> as Dice<S>>::EYE);
+                camera.through(aperture, (right, up), disc(spot.map(S::Unit::of_word)))
             }
             _ => Start { origin: camera.eye, direction: camera.direction(right, up) },
         }

@@ -28,9 +28,11 @@ impl<S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Accelerator
         let point = Lamp { radius: S::ZERO, ..*lamp };
         let own = (lamp.radius, lamp.inverse_radius);
         let from = (surface.point, surface.normal);
-        let share = S::Unit::fraction(1, places.count());
+        let count = places.count();
+        // A division, which most have no need of.
+        let share = if count == 1 { S::Unit::ONE } else { S::Unit::fraction(1, count) };
         let mut light = Rgb::BLACK;
-        for k in 0..places.count() {
+        for k in 0..count {
             let pair = places.get(k);
             let glimpse = match dice.square(number) {
                 Some(square) if N::SQUARE_LAMPS => Glimpse::of_square(&point, square, from, pair),

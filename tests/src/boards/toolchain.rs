@@ -102,6 +102,7 @@ impl Toolchain {
             Some(scenes) => cargo.env("RTA_SCENES", scenes),
             None => cargo.env_remove("RTA_SCENES"),
         };
+        cargo.env_remove("RTA_SAMPLES");
         let (width, height) = picture.size;
         cargo
             .current_dir(&package)

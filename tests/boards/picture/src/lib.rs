@@ -202,7 +202,13 @@ impl<D: Display, T: ColorTable, R: FnMut()> Drawing for Indexed<D, T, R> {
                 return paint(tracer, (places, raster), painter, origin, row);
             }
         }
-        paint(tracer, (places, raster), Painter::new(display, &mut palette).map_err(DrawError::Display)?, origin, row)
+        paint(
+            tracer,
+            (places, raster),
+            Painter::new(display, &mut palette).map_err(DrawError::Display)?,
+            origin,
+            row,
+        )
     }
 }
 
