@@ -268,7 +268,8 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Acceler
             let lamps = if N::SEVERAL_LAMPS { scene.scene.lamps.len() } else { 1 };
             for (number, lamp) in scene.scene.lamps.iter().take(lamps).enumerate() {
                 if !D::STILL
-                    && has_size(dice, number, lamp)
+                    && N::AREA_LAMPS
+                    && has_size::<S, D, N>(dice, number, lamp)
                     && let Some(places) = dice.places(number, node, branch.depth == 0)
                 {
                     let light_of_it =

@@ -23,7 +23,7 @@ use crate::picture::file::Caption;
 use crate::picture::raster::{Aspect, Size};
 use error::RequestError;
 use fit::Fit;
-use sampler::{Told, passes, put_lens, sampler, settling};
+use sampler::{SPREAD, Told, passes, put_lens, sampler, settling};
 use scene_file::SceneFile;
 
 /// Depth of the rays where neither the command line nor the scene says it.
@@ -81,8 +81,8 @@ impl Request {
             depth: asked.depth.unwrap_or(DEPTH),
             cutoff,
             // Told in full once there is a scene.
-            sampling: sampler(&asked.spreading, None).unwrap_or(Sampler::CENTER),
-            lens: (asked.spreading.aperture, asked.spreading.focus),
+            sampling: sampler(&asked.spreading, None, SPREAD).unwrap_or(Sampler::CENTER),
+            lens: (asked.spreading.spread.aperture, asked.spreading.spread.focus),
             size,
             aspect,
             fit,
@@ -104,7 +104,7 @@ impl Request {
         let Settings { depth, .. } = *said;
         let depth = asked.depth.or(depth).map_or(request.depth, |depth| depth.min(MAX_DEPTH));
         let cutoff = asked.cutoff.or(Cutoff::of(said));
-        let sampling = sampler(&asked.spreading, Some(&scene.description))?;
+        let sampling = sampler(&asked.spreading, Some(&scene.description), SPREAD)?;
         Ok(Self { depth, cutoff, sampling, ..request })
     }
 

@@ -3,9 +3,12 @@
 use rta_core::color::Rgb;
 use rta_core::raster::Raster;
 pub use rta_core::raster::corners::Cutting;
-use rta_core::sampling::{Places, Sampling, Sobol};
+pub use rta_core::sampling::Sobol;
+use rta_core::sampling::{Places, Sampling};
 use rta_core::scalar::{Light, Unit};
 pub use rta_core::trace::dice::Lamps;
+
+use crate::description::{Description, Material};
 
 /// Where the samples of a pixel lie.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -27,6 +30,33 @@ pub struct Spreading {
     pub lamps: Lamps,
     /// Places on a lamp that are asked for each point that the eye sees, 1 or more.
     pub split: u16,
+}
+
+impl Spreading {
+    /// Returns how the rays of a scene are spread where nobody says more: nothing is where nothing in it spreads them. `samples` is the number
+    /// of samples where the scene has none, a power of two.
+    #[must_use]
+    pub fn of(scene: &Description, lamps: Lamps, samples: u32) -> Option<Self> {
+        let spreads = lamps != Lamps::Point && !is_spectral(scene) || spreads(scene, scene.optics.aperture);
+        let samples = Sobol::new(scene.settings.samples.unwrap_or(samples), 0)?;
+        spreads.then_some(Self { samples, lamps, split: 1 })
+    }
+}
+
+/// Returns whether something in a scene spreads rays by itself, seen by a lens of the size `aperture`, if there is one: that lens, motion, or
+/// a rough material; nothing in a picture of several wavelengths.
+#[must_use]
+pub fn spreads(scene: &Description, aperture: Option<f64>) -> bool {
+    let is_rough = |own: &Material| own.roughness.is_some_and(|roughness| roughness > 0.0);
+    let has_lens = aperture.is_some_and(|aperture| aperture > 0.0);
+    !is_spectral(scene) && (has_lens || scene.has_motion() || scene.materials.iter().any(is_rough))
+}
+
+/// Returns whether the picture of a scene has several wavelengths, whose rays are not spread.
+#[must_use]
+pub fn is_spectral(scene: &Description) -> bool {
+    let is_dispersive = scene.materials.iter().any(|own| own.dispersion.is_some());
+    scene.settings.wavelengths.is_some_and(|count| count > 0) && is_dispersive
 }
 
 impl Sampler {

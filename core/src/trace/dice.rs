@@ -9,7 +9,7 @@ use core::fmt::Debug;
 use crate::camera::Aperture;
 use crate::light::area::Square;
 use crate::ray::RayKind;
-use crate::sampling::pairs::{Pairs, Purpose};
+use crate::sampling::pairs::{Pairs, Purpose, pair};
 use crate::scalar::{Scalar, Unit};
 
 /// What the rays of a sample are spread by. It is handed on by value, so that [`Still`] dice take no memory.
@@ -118,6 +118,12 @@ impl<S: Scalar> Thrown<'_, S> {
     pub fn pairs(&self, purpose: Purpose, node: u32) -> Pairs {
         Pairs::new(self.sample.x, self.sample.y, purpose.tag(node), self.seed)
     }
+
+    /// Returns the sample's own pair of numbers for a purpose, at a ray of the tree: two numbers of 32 bits behind the point.
+    pub fn words(&self, purpose: Purpose, node: u32) -> [u32; 2] {
+        let Sample { x, y, number } = self.sample;
+        pair(x, y, purpose.tag(node), self.seed, number)
+    }
 }
 
 impl<S: Scalar> Dice<S> for &Thrown<'_, S> {
@@ -132,8 +138,7 @@ impl<S: Scalar> Dice<S> for &Thrown<'_, S> {
 
     fn facet(self, material: u16, node: u32) -> Option<(S::Unit, [u32; 2])> {
         let roughness = *self.spread.roughness.get(usize::from(material))?;
-        let words = || self.pairs(Purpose::Lobe, node).words(self.sample.number);
-        (roughness > S::Unit::ZERO).then(|| (roughness, words()))
+        (roughness > S::Unit::ZERO).then(|| (roughness, self.words(Purpose::Lobe, node)))
     }
 
     fn places(self, lamp: usize, node: u32, is_first: bool) -> Option<LampPlaces> {

@@ -28,13 +28,15 @@ impl<S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Accelerator
         let point = Lamp { radius: S::ZERO, ..*lamp };
         let own = (lamp.radius, lamp.inverse_radius);
         let from = (surface.point, surface.normal);
-        let share = S::Unit::fraction(1, places.count());
+        let count = places.count();
+        // A division, which most have no need of.
+        let share = if count == 1 { S::Unit::ONE } else { S::Unit::fraction(1, count) };
         let mut light = Rgb::BLACK;
-        for k in 0..places.count() {
+        for k in 0..count {
             let pair = places.get(k);
             let glimpse = match dice.square(number) {
-                Some(square) => Glimpse::of_square(&point, square, from, pair),
-                None => Some(Glimpse::of_sphere(&point, own, from, pair)),
+                Some(square) if N::SQUARE_LAMPS => Glimpse::of_square(&point, square, from, pair),
+                _ => Some(Glimpse::of_sphere(&point, own, from, pair)),
             };
             let Some(Glimpse { place, lamp }) = glimpse else { continue };
             let unhidden = glimpsed::<S, M, N>(&self.model, surface, &place, &lamp);
@@ -47,6 +49,6 @@ impl<S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Accelerator
 }
 
 /// Returns whether a lamp is larger than a point for some dice: a sphere with a radius, or a parallelogram.
-pub(super) fn has_size<S: Scalar, D: Dice<S>>(dice: D, number: usize, lamp: &Lamp<S>) -> bool {
-    lamp.radius > S::ZERO || dice.square(number).is_some()
+pub(super) fn has_size<S: Scalar, D: Dice<S>, N: Needs>(dice: D, number: usize, lamp: &Lamp<S>) -> bool {
+    lamp.radius > S::ZERO || N::SQUARE_LAMPS && dice.square(number).is_some()
 }

@@ -24,6 +24,14 @@ pub struct SpreadingArgs {
     /// Adaptive antialiasing: whitted cuts pixels twice where the light at their corners differs, whitted:K up to K times
     #[arg(long, value_name = "WAY", conflicts_with_all = ["samples", "jitter", "sampler", "seed", "lamps", "split", "aperture"])]
     pub aa: Option<CuttingValue>,
+    /// What spreads rays
+    #[command(flatten)]
+    pub spread: SpreadArgs,
+}
+
+/// What spreads the rays of samples.
+#[derive(Args, Clone, Debug, Default)]
+pub struct SpreadArgs {
     /// Seed of --sampler sobol: pictures with different seeds have different noise [default: 0]
     #[arg(long, value_name = "N", value_parser = choice::whole(0..=u32::MAX))]
     pub seed: Option<u32>,

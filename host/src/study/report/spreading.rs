@@ -10,7 +10,7 @@ use rta_core::color::Rgb;
 use rta_core::sampling::{Sampling, Sobol};
 use rta_packets::tally::Rays;
 use rta_scenes::description::{Description, LampShape};
-use rta_scenes::sampler::{Cutting, Lamps, Sampler, Spreading};
+use rta_scenes::sampler::{self, Cutting, Lamps, Sampler, Spreading, is_spectral};
 
 use super::Source;
 use super::measure::{Difference, median, slope};
@@ -18,7 +18,6 @@ use super::study::Setup;
 use crate::engine::{Cutoff, Engine, Format, Settings, bands};
 use crate::picture::error::PictureError;
 use crate::picture::raster::Size;
-use crate::request::sampler::{is_spectral, spreads_by_itself};
 use crate::study::error::StudyError;
 use variance::Variances;
 
@@ -94,7 +93,7 @@ fn has_area_lamp(scene: &Description) -> bool {
 /// Returns whether rays of a scene can be spread over anything but the pixel.
 #[must_use]
 pub fn spreads(scene: &Description) -> bool {
-    !is_spectral(scene) && (has_area_lamp(scene) || spreads_by_itself(scene))
+    !is_spectral(scene) && (has_area_lamp(scene) || sampler::spreads(scene, scene.optics.aperture))
 }
 
 /// Ways to place samples on a grid, where nothing is spread.
