@@ -28,12 +28,12 @@ use crate::cache::ShadowCache;
 use crate::packets::Packets;
 use crate::rows::Rows;
 
-mod cut;
+mod antialiased;
 mod moving;
 mod spectral;
 mod spread;
 
-use cut::Cut;
+use antialiased::Antialiased;
 use moving::Moving;
 use spectral::Spectral;
 use spread::Spread;
@@ -185,9 +185,9 @@ macro_rules! formats {
                 model: Model,
                 setup: &Setup,
             ) -> Result<Box<dyn Picture<Self>>, PictureError> {
-                if let Sampler::Corners(cutting) = setup.sampling {
+                if let Sampler::Adaptive(adaptive) = setup.sampling {
                     let single = Self::picture(scene, model, &Setup { sampling: Sampler::CENTER, ..*setup })?;
-                    return Ok(Box::new(Cut { single, setup: *setup, cutting }));
+                    return Ok(Box::new(Antialiased::new(single, *setup, adaptive)));
                 }
                 let (ready, air) = (Ready::<$f>::new(scene, setup)?, &scene.air);
                 let limits = ready.limits;
