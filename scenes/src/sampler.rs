@@ -17,8 +17,17 @@ pub enum Sampler {
     Grid(Sampling),
     /// At the places of a sequence, and their rays are spread.
     Sobol(Spreading),
-    /// At the corners of pixels, which are cut where the light there differs.
-    Corners(Cutting),
+    /// More of them where the light of neighbours differs.
+    Adaptive(Adaptive),
+}
+
+/// A way of adaptive antialiasing.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Adaptive {
+    /// At the corners of pixels, which are cut where the light there differs (T. Whitted 1980).
+    Whitted(Cutting),
+    /// One in each pixel, and eight more where the contrast around it is high (D. Mitchell 1987).
+    Mitchell,
 }
 
 /// Samples whose rays are spread.
@@ -68,7 +77,7 @@ impl Sampler {
     pub const fn is_jittered(&self) -> bool {
         match self {
             Self::Grid(sampling) => sampling.is_jittered(),
-            Self::Sobol(_) | Self::Corners(_) => false,
+            Self::Sobol(_) | Self::Adaptive(_) => false,
         }
     }
 
@@ -76,7 +85,7 @@ impl Sampler {
     #[must_use]
     pub const fn spreading(&self) -> Option<&Spreading> {
         match self {
-            Self::Grid(_) | Self::Corners(_) => None,
+            Self::Grid(_) | Self::Adaptive(_) => None,
             Self::Sobol(spreading) => Some(spreading),
         }
     }
@@ -88,7 +97,7 @@ impl From<Sampling> for Sampler {
     }
 }
 
-/// Pixels that are cut have one sample in the middle here: how many rays they take is seen only when they are traced.
+/// With adaptive antialiasing pixels have one sample in the middle here: how many rays they take is seen only when they are traced.
 impl Places for Sampler {
     /// The number of the row.
     type Row<U: Unit> = u32;
@@ -97,7 +106,7 @@ impl Places for Sampler {
         match self {
             Self::Grid(sampling) => sampling.samples(),
             Self::Sobol(spreading) => spreading.samples.samples(),
-            Self::Corners(_) => Sampling::CENTER.samples(),
+            Self::Adaptive(_) => Sampling::CENTER.samples(),
         }
     }
 
@@ -109,7 +118,7 @@ impl Places for Sampler {
         match self {
             Self::Grid(sampling) => sampling.place(raster, row, x, sample),
             Self::Sobol(spreading) => spreading.samples.place(raster, row, x, sample),
-            Self::Corners(_) => Sampling::CENTER.place(raster, row, x, sample),
+            Self::Adaptive(_) => Sampling::CENTER.place(raster, row, x, sample),
         }
     }
 
@@ -117,7 +126,7 @@ impl Places for Sampler {
         match self {
             Self::Grid(sampling) => sampling.add(sum, light),
             Self::Sobol(spreading) => spreading.samples.add(sum, light),
-            Self::Corners(_) => Sampling::CENTER.add(sum, light),
+            Self::Adaptive(_) => Sampling::CENTER.add(sum, light),
         }
     }
 
@@ -125,7 +134,7 @@ impl Places for Sampler {
         match self {
             Self::Grid(sampling) => sampling.mean(sum),
             Self::Sobol(spreading) => spreading.samples.mean(sum),
-            Self::Corners(_) => Sampling::CENTER.mean(sum),
+            Self::Adaptive(_) => Sampling::CENTER.mean(sum),
         }
     }
 }

@@ -3,7 +3,7 @@
 use clap::{Args, ValueEnum};
 
 use super::choice;
-use crate::value::sampling::{CuttingValue, LampsValue, Samples};
+use crate::value::sampling::{AdaptiveValue, LampsValue, Samples};
 
 /// Where the samples of a pixel lie, and what spreads their rays.
 #[derive(Args, Clone, Debug, Default)]
@@ -21,9 +21,12 @@ pub struct SpreadingArgs {
     /// [default: sobol where something spreads rays: a lens, motion, rough materials, --lamps; else grid]
     #[arg(long, value_enum, ignore_case = true, verbatim_doc_comment)]
     pub sampler: Option<SamplerKind>,
-    /// Adaptive antialiasing: whitted cuts pixels twice where the light at their corners differs, whitted:K up to K times
+    /// Adaptive antialiasing: whitted, whitted:K or mitchell
+    ///
+    /// More rays where the light of neighbours differs: whitted cuts pixels in four twice where the light at their corners
+    /// differs, whitted:K up to K times; mitchell has one ray a pixel, and nine where the contrast around it is high.
     #[arg(long, value_name = "WAY", conflicts_with_all = ["samples", "jitter", "sampler", "seed", "lamps", "split", "aperture"])]
-    pub aa: Option<CuttingValue>,
+    pub aa: Option<AdaptiveValue>,
     /// What spreads rays
     #[command(flatten)]
     pub spread: SpreadArgs,

@@ -27,14 +27,14 @@ use crate::packets::Packets;
 use crate::rows::Rows;
 
 mod added;
-mod cut;
+mod antialiased;
 mod error;
 mod moving;
 mod spectral;
 mod spread;
 
 pub use added::{Added, Pass, Sums};
-use cut::Cut;
+use antialiased::Antialiased;
 pub use error::PictureError;
 use moving::Moving;
 use spectral::Spectral;
@@ -163,9 +163,9 @@ macro_rules! formats {
                 model: Model,
                 setup: &Setup,
             ) -> Result<Box<dyn Picture<Self>>, PictureError> {
-                if let Sampler::Corners(cutting) = setup.sampling {
+                if let Sampler::Adaptive(adaptive) = setup.sampling {
                     let single = Self::picture(scene, model, &Setup { sampling: Sampler::CENTER, ..*setup })?;
-                    return Ok(Box::new(Cut { single, setup: *setup, cutting }));
+                    return Ok(Box::new(Antialiased::new(single, *setup, adaptive)));
                 }
                 let (ready, air) = (Ready::<$f>::new(scene, setup)?, &scene.air);
                 let limits = ready.limits;

@@ -3,7 +3,7 @@
 use core::fmt;
 
 use rta_args::spreading::{SamplerKind, SpreadingArgs};
-use rta_args::value::sampling::{CuttingValue, LampsValue, Samples};
+use rta_args::value::sampling::{AdaptiveValue, LampsValue, Samples};
 use rta_core::sampling::{Places, Sobol};
 use rta_scenes::description::Description;
 use rta_scenes::sampler::{Lamps, Sampler, Spreading, is_spectral, spreads};
@@ -27,8 +27,8 @@ pub fn sampler(
     scene: Option<&Description>,
     several: u32,
 ) -> Result<Sampler, RequestError> {
-    if let Some(CuttingValue(cutting)) = asked.aa {
-        return Ok(Sampler::Corners(cutting));
+    if let Some(AdaptiveValue(adaptive)) = asked.aa {
+        return Ok(Sampler::Adaptive(adaptive));
     }
     let spread = &asked.spread;
     let lamps = spread.lamps.map_or(Lamps::Point, |LampsValue(lamps)| lamps);
@@ -125,7 +125,7 @@ impl fmt::Display for Told<'_> {
                 let kind = if grid.is_jittered() { "jittered" } else { "regular" };
                 write!(f, ", {} {kind} samples a pixel", grid.samples())
             }
-            Sampler::Corners(cutting) => write!(f, ", antialiasing {}", CuttingValue(*cutting)),
+            Sampler::Adaptive(adaptive) => write!(f, ", antialiasing {}", AdaptiveValue(*adaptive)),
             Sampler::Sobol(Spreading { samples, lamps, split }) => {
                 write!(f, ", {} sobol samples a pixel, seed {}", samples.samples(), samples.seed())?;
                 match lamps {

@@ -4,7 +4,7 @@ use core::fmt;
 use core::str::FromStr;
 
 use rta_core::sampling::{Sampling, Sobol};
-use rta_scenes::sampler::{Cutting, Lamps};
+use rta_scenes::sampler::{Adaptive, Cutting, Lamps};
 
 /// Samples a pixel: 1 to [`Sobol::MAX_SAMPLES`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -137,34 +137,41 @@ impl fmt::Display for LampsValue {
     }
 }
 
-/// How pixels are cut for adaptive antialiasing.
+/// A way of adaptive antialiasing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct CuttingValue(pub Cutting);
+pub struct AdaptiveValue(pub Adaptive);
 
 /// It is no way of adaptive antialiasing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("expected whitted, or whitted:K with a depth K from 0 to {}", Cutting::DEEPEST)]
-pub struct NotCutting;
+#[error("expected whitted, whitted:K with a depth K from 0 to {}, or mitchell", Cutting::DEEPEST)]
+pub struct NotAdaptive;
 
 /// Corners that differ by more than this many 256ths of white are not alike.
 const TOLERANCE: u8 = 16;
 
-impl FromStr for CuttingValue {
-    type Err = NotCutting;
+impl FromStr for AdaptiveValue {
+    type Err = NotAdaptive;
 
-    fn from_str(text: &str) -> Result<Self, NotCutting> {
+    fn from_str(text: &str) -> Result<Self, NotAdaptive> {
         let text = text.to_ascii_lowercase();
-        if text == "whitted" {
-            return Ok(Self(Cutting::default()));
+        match (text.as_str(), text.strip_prefix("whitted:")) {
+            ("whitted", _) => Ok(Self(Adaptive::Whitted(Cutting::default()))),
+            ("mitchell", _) => Ok(Self(Adaptive::Mitchell)),
+            (_, Some(depth)) => {
+                let cutting = depth.parse().ok().and_then(|depth| Cutting::new(depth, TOLERANCE));
+                cutting.map(|cutting| Self(Adaptive::Whitted(cutting))).ok_or(NotAdaptive)
+            }
+            _ => Err(NotAdaptive),
         }
-        let depth = text.strip_prefix("whitted:").and_then(|depth| depth.parse().ok());
-        depth.and_then(|depth| Cutting::new(depth, TOLERANCE)).map(Self).ok_or(NotCutting)
     }
 }
 
-impl fmt::Display for CuttingValue {
+impl fmt::Display for AdaptiveValue {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "whitted:{}", self.0.depth())
+        match self.0 {
+            Adaptive::Whitted(cutting) => write!(f, "whitted:{}", cutting.depth()),
+            Adaptive::Mitchell => f.write_str("mitchell"),
+        }
     }
 }
 
@@ -172,7 +179,7 @@ impl fmt::Display for CuttingValue {
 mod tests {
     use rta_core::sampling::Places;
 
-    use super::{CuttingValue, LampsValue, Samples, ToleranceValue};
+    use super::{AdaptiveValue, LampsValue, Samples, ToleranceValue};
 
     #[test]
     fn samples_on_a_grid_are_squares() {
@@ -191,14 +198,18 @@ mod tests {
     }
 
     #[test]
-    fn cutting_is_told_as_it_is_read() {
-        for (text, told) in [("whitted", "whitted:2"), ("whitted:0", "whitted:0"), ("Whitted:4", "whitted:4")]
-        {
-            let read = text.parse::<CuttingValue>().expect(text);
+    fn antialiasing_is_told_as_it_is_read() {
+        for (text, told) in [
+            ("whitted", "whitted:2"),
+            ("whitted:0", "whitted:0"),
+            ("Whitted:4", "whitted:4"),
+            ("Mitchell", "mitchell"),
+        ] {
+            let read = text.parse::<AdaptiveValue>().expect(text);
             assert_eq!(read.to_string(), told);
         }
-        for text in ["", "whitted:", "whitted:5", "whitted:-1", "mitchell:2"] {
-            assert!(text.parse::<CuttingValue>().is_err(), "{text}");
+        for text in ["", "whitted:", "whitted:5", "whitted:-1", "mitchell:2", "cones"] {
+            assert!(text.parse::<AdaptiveValue>().is_err(), "{text}");
         }
     }
 

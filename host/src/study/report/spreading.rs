@@ -10,7 +10,7 @@ use rta_core::color::Rgb;
 use rta_core::sampling::{Sampling, Sobol};
 use rta_packets::tally::Rays;
 use rta_scenes::description::{Description, LampShape};
-use rta_scenes::sampler::{self, Cutting, Lamps, Sampler, Spreading, is_spectral};
+use rta_scenes::sampler::{self, Adaptive, Cutting, Lamps, Sampler, Spreading, is_spectral};
 
 use super::Source;
 use super::measure::{Difference, median, slope};
@@ -131,13 +131,16 @@ fn ways(has_area_lamp: bool) -> Vec<Way> {
         (["sobol", "point", "-", "-"], each(&sobol(Lamps::Point, 1))),
     ];
     for (depth, name) in (0..).zip(["whitted:0", "whitted:1", "whitted:2", "whitted:3"]) {
-        let cutting = Cutting::new(depth, TOLERANCE).map(Sampler::Corners);
+        let cutting =
+            Cutting::new(depth, TOLERANCE).map(|cutting| Sampler::Adaptive(Adaptive::Whitted(cutting)));
         ways.push((["-", "point", name, "-"], cutting.map(|cutting| (1, cutting)).into_iter().collect()));
     }
+    ways.push((["-", "point", "mitchell", "-"], vec![(1, Sampler::Adaptive(Adaptive::Mitchell))]));
     if has_area_lamp {
         ways.extend([
             (["sobol", "fixed:4", "-", "-"], each(&sobol(Lamps::Fixed(2), 1))),
             (["sobol", "fixed:16", "-", "-"], each(&sobol(Lamps::Fixed(4), 1))),
+            (["sobol", "cone", "-", "-"], each(&sobol(Lamps::Cone, 1))),
             (["sobol", "area", "-", "1"], each(&sobol(Lamps::Area, 1))),
             (["sobol", "area", "-", "4"], each(&sobol(Lamps::Area, 4))),
             (["sobol", "area", "-", "16"], each(&sobol(Lamps::Area, 16))),
