@@ -1,8 +1,7 @@
 //! Numbers of all formats from and to floats, for tests.
 
 use super::vector::{UnitVec3, Vec3, Vector};
-use super::{Radiance, Scalar};
-use crate::{Q16, Q20};
+use super::{Q16, Q20, Radiance, Scalar};
 
 /// A number format whose numbers are read as floats.
 pub(crate) trait Read: Scalar {
