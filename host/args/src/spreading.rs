@@ -38,10 +38,10 @@ pub struct SpreadArgs {
     /// Seed of --sampler sobol: pictures with different seeds have different noise [default: 0]
     #[arg(long, value_name = "N", value_parser = choice::whole(0..=u32::MAX))]
     pub seed: Option<u32>,
-    /// How lamps with a radius or with edges are asked: point, fixed:K or area [default: point]
+    /// How lamps with a radius or with edges are asked: point, fixed:K, area or cone [default: point]
     ///
-    /// As points in their middles, at K fixed places (a square number), or at places that differ from point to
-    /// point, so that shadows have soft edges.
+    /// As points in their middles, at K fixed places (a square number), at places that differ from point to
+    /// point, so that shadows have soft edges, or by one cone to the lamp, whose soft edges have no noise.
     #[arg(long, value_name = "LAMPS")]
     pub lamps: Option<LampsValue>,
     /// With --lamps area, shadow rays to a lamp from each point that the eye sees [default: 1]

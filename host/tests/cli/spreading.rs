@@ -39,6 +39,7 @@ fn what_spreads_is_drawn_with_samples_that_spread_it() {
         hash(&folder, &["--lamps", "area"]),
         hash(&folder, &["--lamps", "area", "--split", "4"]),
         hash(&folder, &["--lamps", "fixed:4"]),
+        hash(&folder, &["--lamps", "cone"]),
         hash(&folder, &["--samples", "5"]),
         hash(&folder, &["--aa", "whitted"]),
         hash(&folder, &["--aa", "whitted:1"]),

@@ -105,7 +105,7 @@ pub struct LampsValue(pub Lamps);
 
 /// It is no way to ask lamps.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("expected point, fixed:K with a square number K from 1 to 1024, or area")]
+#[error("expected point, fixed:K with a square number K from 1 to 1024, area or cone")]
 pub struct NotLamps;
 
 impl FromStr for LampsValue {
@@ -121,6 +121,7 @@ impl FromStr for LampsValue {
         match (text.as_str(), text.strip_prefix("fixed:")) {
             ("point", _) => Ok(Self(Lamps::Point)),
             ("area", _) => Ok(Self(Lamps::Area)),
+            ("cone", _) => Ok(Self(Lamps::Cone)),
             (_, Some(places)) => fixed(places).map(Self).ok_or(NotLamps),
             _ => Err(NotLamps),
         }
@@ -133,6 +134,7 @@ impl fmt::Display for LampsValue {
             Lamps::Point => f.write_str("point"),
             Lamps::Fixed(side) => write!(f, "fixed:{}", u32::from(side) * u32::from(side)),
             Lamps::Area => f.write_str("area"),
+            Lamps::Cone => f.write_str("cone"),
         }
     }
 }
