@@ -135,4 +135,5 @@ impl<'a, S: Scalar, T: Trace<S>, K: Keep<S::Light>> Contrasts<'a, S, T, K> {
 
 #[cfg(test)]
 #[cfg(feature = "f64")]
+#[allow(clippy::indexing_slicing, reason = "a test may panic")]
 mod tests;

@@ -321,4 +321,5 @@ fn mean<L: Light>(four: [Rgb<L>; 4]) -> Rgb<L> {
 
 #[cfg(test)]
 #[cfg(feature = "f64")]
+#[allow(clippy::indexing_slicing, reason = "a test may panic")]
 mod tests;

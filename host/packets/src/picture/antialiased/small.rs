@@ -4,7 +4,7 @@
 //! Objects are known from the start, a bit a pixel; tiles of the floor are seen by the rays through the corners of a pixel, so that those
 //! behind something cost nothing.
 
-use std::cell::Cell;
+use core::cell::Cell;
 
 use rta_core::raster::Raster;
 use rta_core::raster::corners::{Cutting, Force};
@@ -64,10 +64,9 @@ impl Objects {
         let pixels = u64::from(width) * u64::from(height);
         let words = usize::try_from(pixels.div_ceil(64)).unwrap_or_default();
         let mut objects = Self { width, bits: vec![0; words] };
-        let eye = [camera.eye.x(), camera.eye.y(), camera.eye.z()].map(S::to_f64);
         scene.scene().looks(|object, look| {
-            let center = [look.center.x(), look.center.y(), look.center.z()].map(S::to_f64);
-            let way = [0, 1, 2].map(|i| center[i] - eye[i]);
+            let way = look.center - camera.eye;
+            let way = [way.x(), way.y(), way.z()].map(S::to_f64);
             let depth = dot(way, forward) / dot(forward, forward);
             // Place and radius in pixels; the depth is in focal distances.
             let across = |axis: [f64; 3], pixels: u32| {
@@ -152,7 +151,7 @@ impl<'a> Small<'a> {
 
     fn tiles(&self, x: u32, y: u32) -> Option<&Cell<bool>> {
         let [even, odd] = &self.tiles;
-        let row = if y % 2 == 0 { even } else { odd };
+        let row = if y.is_multiple_of(2) { even } else { odd };
         row.get(usize::try_from(x).ok()?)
     }
 }

@@ -1,6 +1,6 @@
 //! Error and rays of whole pictures beside those of samples on a grid, and things that are smaller than a pixel.
 
-use std::sync::atomic::{AtomicU64, Ordering};
+use core::sync::atomic::{AtomicU64, Ordering};
 
 use rta_core::Q16;
 use rta_core::sampling::Sampling;
