@@ -118,6 +118,8 @@ needs! {
     AREA_LAMPS area_lamps,
     /// Of these, parallelograms; they need [`Needs::AREA_LAMPS`].
     SQUARE_LAMPS square_lamps,
+    /// Lamps with a size that are asked by cones, [`Lamps::Cone`](crate::trace::dice::Lamps::Cone); they need [`Needs::AREA_LAMPS`].
+    CONE_LAMPS cone_lamps,
     /// A lens, where rays are distributed.
     LENS lens,
     /// Rough surfaces, where rays are distributed; they need [`Needs::MIRROR`].

@@ -28,7 +28,9 @@ impl<S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Accelerator
         memory: &mut A::Memory,
         observer: &mut O,
     ) -> Option<Rgb<S::Light>> {
-        if let Some(bodies) = dice.bodies() {
+        if N::CONE_LAMPS
+            && let Some(bodies) = dice.bodies()
+        {
             return Some(self.cone_light((surface, object), (number, lamp), bodies, observer));
         }
         let places = dice.places(number, node, is_first)?;

@@ -22,6 +22,7 @@ pub(super) fn used<S: Literal>(scene: &Narrowed<S>, spreading: Option<&Spreading
     Used {
         area_lamps,
         square_lamps: area_lamps && has_squares,
+        cone_lamps: area_lamps && spreading.lamps == Lamps::Cone,
         lens: scene.spreads.aperture.is_some(),
         gloss: used.mirror && !scene.spreads.roughness.is_empty(),
         ..used
@@ -82,7 +83,7 @@ pub(super) fn write<S: Literal>(
 
 /// Writes the fields of what spreads, within an item.
 fn write_spread<S: Literal>(out: &mut impl Write, spread: &Spread<S>) -> fmt::Result {
-    let Spread { lamps, split, squares, aperture, roughness } = spread;
+    let Spread { lamps, split, squares, aperture, roughness, bodies } = spread;
     let square = |square: &Option<Square<S>>| {
         let Some(Square { corner, edges, normal, least: (least, inverse) }) = square else {
             return "None".to_owned();
@@ -112,7 +113,7 @@ fn write_spread<S: Literal>(out: &mut impl Write, spread: &Spread<S>) -> fmt::Re
         out,
         "    ::rta_core::trace::dice::Spread {{\n        lamps: ::rta_core::trace::dice::Lamps::{lamps:?},\n        \
          split: {split},\n        squares: const {{ &[{}] }},\n        aperture: {aperture},\n        \
-         roughness: const {{ &[{}] }},\n    }}",
+         roughness: const {{ &[{}] }},\n        bodies: &{bodies:?},\n    }}",
         squares.join(", "),
         roughness.join(", ")
     )

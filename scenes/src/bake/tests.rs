@@ -10,7 +10,7 @@ use crate::sampler::{Lamps, Spreading};
 use crate::{dat, shipped};
 
 /// What a scene without coats, and of which no rays are spread, leaves out.
-const UNCOVERED: [&str; 13] = [
+const UNCOVERED: [&str; 14] = [
     "COATS",
     "CHECKER",
     "MARBLE",
@@ -22,6 +22,7 @@ const UNCOVERED: [&str; 13] = [
     "SKY_MAP",
     "AREA_LAMPS",
     "SQUARE_LAMPS",
+    "CONE_LAMPS",
     "LENS",
     "GLOSS",
 ];
@@ -217,6 +218,7 @@ fn what_spreads_rays_is_needed_where_it_does() {
             (&lens, Lamps::Point, "LENS", [false, true]),
             (&lens, Lamps::Area, "AREA_LAMPS SQUARE_LAMPS LENS", [false, true]),
             (&ball, Lamps::Area, "AREA_LAMPS", [false, true]),
+            (&ball, Lamps::Cone, "AREA_LAMPS CONE_LAMPS", [false, true]),
             (&rough, Lamps::Point, "GLOSS", [false, true]),
             (&moving, Lamps::Point, "", [false, false]),
         ] {
