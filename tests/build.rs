@@ -6,7 +6,8 @@ use std::env;
 use std::fs;
 use std::path::PathBuf;
 
-use rta_scenes::bake::{Format, Model, Recipe, TEXELS, bake, module};
+use rta_scenes::bake::{Format, Model, Recipe, SAMPLES, TEXELS, bake, module};
+use rta_scenes::sampler::{Lamps, Spreading};
 
 /// Scene files, and the name of each in Rust.
 const SCENES: [(&str, &str); 3] = [
@@ -42,7 +43,79 @@ fn main() -> Result<(), Box<dyn Error>> {
         write(&format!("balls_2_{suffix}"), "../scenes/balls2.nff", &recipe)?;
     }
     write("glass_2_f64", "../scenes/glass-2.dat", &Recipe::new(Format::F64))?;
-    write_drawn()
+    write_drawn()?;
+    write_spread()
+}
+
+/// The scene of everything that spreads rays.
+const SPREAD: &str = "boards/scenes/spread.rta";
+
+/// Few things, of which none spreads rays; what the scenes of some that do have besides, how lamps are asked, and the number format.
+const ROOM: &str = "rta 1
+sky horizon .8 .87 .97  zenith .15 .3 .65
+ambient grey .2
+floor grey .8 .25 .3 .35
+sphere at 0 0 1  radius 1  color .9 .6 .3
+sphere at 2.2 0 .7  radius .7  color .9 .9 .9  of mirror
+";
+const SPREADING: [(&str, Lamps, &str); 6] = [
+    (
+        "Q16",
+        Lamps::Point,
+        "camera at 0 -8 2  to 0 0 1  lens 1.2  aperture .4\npicture 8 8  samples 16\nlamp at -4 -5 6  power .9\n",
+    ),
+    (
+        "Q20",
+        Lamps::Point,
+        "camera at 0 -8 2  to 0 0 1  lens 1.2\nlamp at -4 -5 6  power .9\nmaterial dull like mirror  roughness .3\n\
+         sphere at -2.2 0 .7  radius .7  color .9 .9 .9  of dull\n",
+    ),
+    ("Q16", Lamps::Area, "camera at 0 -8 2  to 0 0 1  lens 1.2\nlamp at -4 -5 6  radius 1.2  power .9\n"),
+    (
+        "Q20",
+        Lamps::Area,
+        "camera at 0 -8 2  to 0 0 1  lens 1.2\nlamp corner 2 -2 4  edges 1.5 0 0  0 1.5 .5  power .9\n",
+    ),
+    ("F32", Lamps::Fixed(2), "camera at 0 -8 2  to 0 0 1  lens 1.2\nlamp at -4 -5 6  radius 1.2  power .9\n"),
+    (
+        // So many that they have a hierarchy, and of each kind one that moves.
+        "Q16",
+        Lamps::Point,
+        "camera at 0 -8 2  to 0 0 1  lens 1.2  shutter .25 1\nlamp at -4 -5 6  power .9\n\
+         ellipsoid at -2 0 1  radii .3 .3 .8  color .3 .5 .9  moves 0 0 1\n\
+         cylinder at 0 5 0  radius .3  color .4 .9 .4  moves 1.5 0 0\n\
+         cone from -1 -2 0 radius .5  to -1 -2 1 radius 0  color .9 .9 .2  moves .8 .2 0\n\
+         triangle 1 -3 0  2 -3 0  1.5 -3 1  color .8 .3 .8  moves 0 0 .6\n\
+         sphere at 1 -1 .4  radius .4  color .2 .8 .8  moves -1 0 .5\n",
+    ),
+];
+
+/// Bakes scenes whose rays are spread, and writes the tests of `tests/all/spread.rs`.
+fn write_spread() -> Result<(), Box<dyn Error>> {
+    println!("cargo::rerun-if-changed={SPREAD}");
+    let all = fs::read_to_string(SPREAD)?;
+    let balls: String = (0..24)
+        .map(|i| format!("sphere at {} {} .3  radius .3  color .7 .7 .7\n", i % 8 - 4, 3 + i / 8))
+        .collect();
+    let scenes = SPREADING.iter().map(|(format, lamps, own)| {
+        let balls = if own.contains("ellipsoid") { &balls } else { "" };
+        (*format, *lamps, format!("{ROOM}{own}{balls}"))
+    });
+    let scenes =
+        ["Q16", "Q20", "F32"].map(|format| (format, Lamps::Area, all.clone())).into_iter().chain(scenes);
+    let mut tests = String::new();
+    for (number, (name, lamps, text)) in scenes.enumerate() {
+        let format = match name {
+            "Q16" => Format::Q16,
+            "Q20" => Format::Q20,
+            _ => Format::F32,
+        };
+        let read = rta_scenes::read(text.as_bytes(), "spread.rta")?;
+        let recipe = Recipe { spreading: Spreading::of(&read, lamps, SAMPLES), ..Recipe::of(format, &read) };
+        fs::write(out()?.join(format!("spread_{number}.rs")), module(&read, "spread.rta", &recipe)?)?;
+        tests += &format!("spread! {{ spread_{number}: {name}, {lamps:?}, {text:?} }}\n");
+    }
+    Ok(fs::write(out()?.join("spread.rs"), tests)?)
 }
 
 /// What else than its name a model is drawn with: its options, and air.

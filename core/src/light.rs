@@ -1,6 +1,7 @@
 //! Lamps, and a lamp as seen from a point.
 
 pub mod area;
+pub mod cone;
 pub mod cover;
 
 use crate::color::Rgb;

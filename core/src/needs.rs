@@ -114,6 +114,16 @@ needs! {
     MESHES meshes,
     /// A picture of the sky.
     SKY_MAP sky_map,
+    /// Lamps with a size that are asked at places of theirs, where rays are [`Distributed`](crate::trace::Distributed).
+    AREA_LAMPS area_lamps,
+    /// Of these, parallelograms; they need [`Needs::AREA_LAMPS`].
+    SQUARE_LAMPS square_lamps,
+    /// Lamps with a size that are asked by cones, [`Lamps::Cone`](crate::trace::dice::Lamps::Cone); they need [`Needs::AREA_LAMPS`].
+    CONE_LAMPS cone_lamps,
+    /// A lens, where rays are distributed.
+    LENS lens,
+    /// Rough surfaces, where rays are distributed; they need [`Needs::MIRROR`].
+    GLOSS gloss,
 }
 
 /// All constants true: for a program that reads its scene at run time.

@@ -1,9 +1,14 @@
 //! The raster, and its pixels as an iterator: a window takes some of them for each frame, firmware takes one between
 //! interrupts, a test collects all.
 
+pub mod contrast;
 pub mod corners;
 pub mod lattice;
 mod places;
+
+#[cfg(test)]
+#[cfg(feature = "f64")]
+mod edge;
 
 use core::iter::FusedIterator;
 

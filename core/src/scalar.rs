@@ -24,6 +24,9 @@ mod float;
 pub mod integer;
 mod magnitude;
 mod positive;
+#[cfg(test)]
+#[cfg(feature = "f64")]
+pub(crate) mod read;
 pub mod vector;
 
 pub use exponent::Exponent;

@@ -25,6 +25,7 @@ pub use triangle::Triangle;
 pub(crate) use triangle::half_sum;
 
 use crate::color::Rgb;
+use crate::light::cone::{Hidden, LampCone};
 use crate::needs::Needs;
 use crate::ray::Ray;
 use crate::scalar::Scalar;
@@ -49,6 +50,12 @@ pub trait Primitive<S: Scalar> {
 
     /// Returns the object's colour, material and bounding sphere.
     fn look(&self) -> Look<S>;
+
+    /// Returns what the object hides of a lamp that has a size; unless it says otherwise, what its bounding sphere does.
+    fn hidden(&self, cone: &LampCone<S>) -> Hidden<S::Unit> {
+        let Look { center, radius, .. } = self.look();
+        cone.sphere(center, radius).into()
+    }
 
     /// Returns the unit normal of a flat object whose [`SurfacePoint::normal`] is interpolated; `None` for others.
     fn face(&self) -> Option<UnitVec3<S>> {

@@ -7,6 +7,7 @@
 //! Which secondary rays a point spawns, and with which weights, is decided in [`decision`].
 
 mod aspects;
+mod cones;
 pub mod decision;
 pub mod dice;
 mod distributed;
@@ -23,7 +24,7 @@ use heapless::Vec;
 use decision::{Branch, Start, ambient, casts_shadow_ray, direct};
 use dice::{Dice, Sample, Still};
 pub use distributed::Distributed;
-use lamps::has_size;
+use lamps::{has_size, shadow_start};
 pub use observer::Observer;
 pub use spectrum::Spectrum;
 
@@ -268,12 +269,13 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Acceler
             let lamps = if N::SEVERAL_LAMPS { scene.scene.lamps.len() } else { 1 };
             for (number, lamp) in scene.scene.lamps.iter().take(lamps).enumerate() {
                 if !D::STILL
-                    && has_size(dice, number, lamp)
-                    && let Some(places) = dice.places(number, node, branch.depth == 0)
+                    && N::AREA_LAMPS
+                    && has_size::<S, D, N>(dice, number, lamp)
+                    && let asked = (dice, node, branch.depth == 0)
+                    && let from = (&*surface, hit.map(|hit| hit.object))
+                    && let Some(own) = self.spread_light(from, (number, lamp), asked, memory, observer)
                 {
-                    let light_of_it =
-                        self.spread_light(surface, (number, lamp), (dice, &places), memory, observer);
-                    light = light.plus(light_of_it);
+                    light = light.plus(own);
                     continue;
                 }
                 if let Some(incident) = Incident::new(lamp, surface.point, surface.normal) {
@@ -307,10 +309,7 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Acceler
         if !casts_shadow_ray::<N, _>(light) {
             return S::Unit::ONE;
         }
-        let side = surface.side::<N>();
-        let side = if surface.is_behind::<N>(incident) { -side } else { side };
-        let (origin, used) = surface.point.leave(side, incident.direction, surface.extent);
-        let start = Start { origin, direction: incident.direction };
+        let (start, used) = shadow_start::<S, N>(surface, incident);
         observer.shadow(number, &start);
         let ray = self.ray(start);
         let t_max = incident.distance - used;

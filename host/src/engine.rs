@@ -2,7 +2,7 @@
 //! runs.
 //!
 //! Everything about it that does not draw is beside it: [`admission`] proves that a scene fits a format, [`bands`] shares rows
-//! among threads and [`callgrind`] counts instructions.
+//! among threads, [`passes`] adds samples to a picture and [`callgrind`] counts instructions.
 
 use core::sync::atomic::AtomicBool;
 
@@ -25,6 +25,7 @@ pub mod admission;
 pub mod bands;
 pub mod callgrind;
 pub mod interrupt;
+pub mod passes;
 pub mod probe;
 pub mod progress;
 
@@ -95,6 +96,7 @@ trait Rows: Send + Sync {
     fn levels(&self, first: u32, gun_max: u8, out: &mut [Rgb<u8>]);
     fn preview(&self, raster: Raster, first: u32, gun_max: u8, out: &mut [Rgb<u8>]);
     fn on_grid(&self, lattice: Lattice, first: u32, out: &mut [Rgb<u8>]);
+    fn sums(&self, seed: u32, tolerance: Option<u16>) -> Option<Box<dyn passes::Sums + '_>>;
     fn rays(&self) -> Rays;
     fn probe(&self, x: u32, y: u32) -> Probe;
 }
@@ -122,6 +124,10 @@ impl<S: Narrow> Rows for Box<dyn Picture<S>> {
         self.grid_rows(lattice, first, end, &mut |light| {
             out.by_ref().take(1).for_each(|pixel| *pixel = light.levels(u8::MAX));
         });
+    }
+
+    fn sums(&self, seed: u32, tolerance: Option<u16>) -> Option<Box<dyn passes::Sums + '_>> {
+        passes::begin(&**self, seed, tolerance)
     }
 
     fn rays(&self) -> Rays {

@@ -9,6 +9,7 @@ pub use rta_args::value::sampling;
 
 use std::borrow::Cow;
 
+use rta_args::value::until::Until;
 use rta_scenes::description::{Description, Settings};
 use rta_scenes::sampler::Sampler;
 
@@ -22,7 +23,7 @@ use crate::picture::file::Caption;
 use crate::picture::raster::{Aspect, Size};
 use error::RequestError;
 use fit::Fit;
-use sampler::{Told, put_lens, sampler};
+use sampler::{SPREAD, Told, passes, put_lens, sampler, settling};
 use scene_file::SceneFile;
 
 /// Depth of the rays where neither the command line nor the scene says it.
@@ -53,6 +54,8 @@ pub struct Request {
     pub aspect: Option<Aspect>,
     /// Whether a scene that does not fit the number format is scaled.
     pub fit: bool,
+    /// When a picture that is traced in passes is done, if its number of samples does not say it.
+    pub until: Option<Until>,
 }
 
 /// Returns the colour table and the dithering that are asked for: those that look best on the device, unless others are. A table
@@ -78,11 +81,12 @@ impl Request {
             depth: asked.depth.unwrap_or(DEPTH),
             cutoff,
             // Told in full once there is a scene.
-            sampling: sampler(&asked.spreading, None).unwrap_or(Sampler::CENTER),
-            lens: (asked.spreading.aperture, asked.spreading.focus),
+            sampling: sampler(&asked.spreading, None, SPREAD).unwrap_or(Sampler::CENTER),
+            lens: (asked.spreading.spread.aperture, asked.spreading.spread.focus),
             size,
             aspect,
             fit,
+            until: None,
         }
     }
 
@@ -100,8 +104,35 @@ impl Request {
         let Settings { depth, .. } = *said;
         let depth = asked.depth.or(depth).map_or(request.depth, |depth| depth.min(MAX_DEPTH));
         let cutoff = asked.cutoff.or(Cutoff::of(said));
-        let sampling = sampler(&asked.spreading, Some(&scene.description))?;
+        let sampling = sampler(&asked.spreading, Some(&scene.description), SPREAD)?;
         Ok(Self { depth, cutoff, sampling, ..request })
+    }
+
+    /// Returns the request of a picture that is traced in passes up to an end, if there is `until`; `asked` and `scene` are those of
+    /// [`Request::of_scene`].
+    ///
+    /// # Errors
+    /// Those of [`passes()`].
+    pub fn until(
+        self,
+        until: Option<Until>,
+        asked: &TracingArgs,
+        scene: &SceneFile,
+    ) -> Result<Self, RequestError> {
+        if until.is_none() {
+            return Ok(self);
+        }
+        let sampling = passes(self.sampling, &asked.spreading, &scene.description)?;
+        Ok(Self { sampling, until, ..self })
+    }
+
+    /// Returns the request of a picture whose pixels end early where their samples agree; `asked` and `scene` are those of
+    /// [`Request::of_scene`].
+    ///
+    /// # Errors
+    /// Those of [`settling`].
+    pub fn settling(self, asked: &TracingArgs, scene: &SceneFile) -> Result<Self, RequestError> {
+        Ok(Self { sampling: settling(self.sampling, &asked.spreading, &scene.description)?, ..self })
     }
 
     /// Completes the request for a scene. The model is the one that was `asked` for, else the one that the scene was made for;

@@ -21,12 +21,17 @@
 //! | `model` | a function that returns the illumination model |
 //! | `models` | a function that returns it at each of the wavelengths, of which there is one as a rule |
 //! | `WEIGHTS`, `FURTHER`, `DISPERSIVE` | what else a [`Spectrum`](rta_core::trace::Spectrum) has, all empty as a rule |
+//! | `SAMPLES`, `SPREAD` | the samples of a pixel, a [`Sobol`](rta_core::sampling::Sobol), and what else a [`Distributed`](rta_core::trace::Distributed) has; `None` and nothing as a rule |
+//! | `MOTIONS`, `Room` | what else a [`Moving`](rta_core::trace::moving::Moving) has: what moves, and the memory of it; empty as a rule |
 //!
-//! so that `Tracer::<_, _, Needs, 5>::new(&SCENE, Rta, 5)` draws it.
+//! so that `Tracer::<_, _, Needs, 5>::new(&SCENE, Rta, 5)` draws it. Where `SAMPLES` is not `None`, that tracer is the first of a
+//! `Distributed`, and where `MOTIONS` is not empty, that is the first of a `Moving`.
 
 use core::fmt;
 use std::path::{Path, PathBuf};
 use std::{env, fs, io};
+
+use rta_core::accelerator::Lists;
 
 use crate::accelerator::bvh;
 use crate::description::Description;
@@ -34,8 +39,10 @@ use crate::error::SceneError;
 pub use crate::format::Format;
 use crate::lines::OutOfRange;
 pub use crate::model::Model;
+use crate::narrow::moving::proved;
 use crate::narrow::{NarrowError, narrow};
 use crate::pictures::PictureError;
+use crate::sampler::{Lamps, Spreading};
 use crate::shading::{Wavelengths, middle};
 use crate::{in_format, read};
 
@@ -44,6 +51,7 @@ mod literal;
 mod model;
 mod module;
 mod spectrum;
+mod spreads;
 #[cfg(test)]
 mod tests;
 
@@ -61,12 +69,25 @@ pub struct Recipe {
     pub aspect: f64,
     /// The illumination model.
     pub model: Model,
+    /// What spreads the rays of the samples; `None` for one sample in the middle of each pixel, a pinhole, point lamps, smooth surfaces, and
+    /// what moves where it is in the middle of the time. Nothing is spread in a picture of several wavelengths.
+    pub spreading: Option<Spreading>,
 }
 
+/// Samples of a pixel whose rays are spread, unless a scene or a recipe says how many.
+pub const SAMPLES: u32 = 4;
+
 impl Recipe {
-    /// A recipe for a screen of 4 : 3 and the model `Rta`.
+    /// A recipe for a screen of 4 : 3 and the model `Rta`, by which nothing is spread.
     pub const fn new(format: Format) -> Self {
-        Self { format, aspect: 4.0 / 3.0, model: Model::Rta }
+        Self { format, aspect: 4.0 / 3.0, model: Model::Rta, spreading: None }
+    }
+
+    /// A recipe for a screen of 4 : 3 as a scene has it: the model that its format was made for, and where something spreads rays, its
+    /// number of samples, or else [`SAMPLES`] of them. Lamps are points.
+    pub fn of(format: Format, scene: &Description) -> Self {
+        let spreading = Spreading::of(scene, Lamps::Point, SAMPLES);
+        Self { model: scene.model, spreading, ..Self::new(format) }
     }
 }
 
@@ -133,14 +154,13 @@ impl From<NarrowError> for BakeError {
     }
 }
 
-/// Bakes the scene file `path` into `OUT_DIR`, under its own name with the extension `rs`, for a screen of 4 : 3 and the
-/// model that its format was made for, and tells Cargo to do so again when the scene changes. Returns where the source
-/// is.
+/// Bakes the scene file `path` into `OUT_DIR`, under its own name with the extension `rs`, as [`Recipe::of`] has it, and tells Cargo to
+/// do so again when the scene changes. Returns where the source is.
 ///
 /// # Errors
 /// Whatever keeps the scene from being baked.
 pub fn bake(path: impl AsRef<Path>, format: Format) -> Result<PathBuf, BakeError> {
-    out_dir(path.as_ref(), |scene| Recipe { model: scene.model, ..Recipe::new(format) })
+    bake_by(path, |scene| Recipe::of(format, scene))
 }
 
 /// The same by a recipe.
@@ -148,10 +168,18 @@ pub fn bake(path: impl AsRef<Path>, format: Format) -> Result<PathBuf, BakeError
 /// # Errors
 /// Whatever keeps the scene from being baked.
 pub fn bake_with(path: impl AsRef<Path>, recipe: &Recipe) -> Result<PathBuf, BakeError> {
-    out_dir(path.as_ref(), |_| *recipe)
+    bake_by(path, |_| *recipe)
 }
 
-fn out_dir(path: &Path, recipe: impl FnOnce(&Description) -> Recipe) -> Result<PathBuf, BakeError> {
+/// The same by a recipe for the scene.
+///
+/// # Errors
+/// Whatever keeps the scene from being baked.
+pub fn bake_by(
+    path: impl AsRef<Path>,
+    recipe: impl FnOnce(&Description) -> Recipe,
+) -> Result<PathBuf, BakeError> {
+    let path = path.as_ref();
     let failed = |path: &Path| {
         let path = path.to_owned();
         move |source| BakeError::File { path, source }
@@ -187,16 +215,20 @@ fn source<S: Literal>(scene: &Description, name: &str, recipe: &Recipe) -> Resul
     let narrowed = narrow::<S>(scene, recipe.aspect)?;
     let hierarchy = bvh::build::<S>(scene);
     let limits = match hierarchy.bvh() {
-        Some(bvh) => narrowed.scene().admit_with(&narrowed.camera, bvh).map(|admitted| admitted.limits),
-        None => narrowed.admit().map(|admitted| admitted.limits),
+        Some(bvh) => proved(&narrowed, bvh),
+        None => proved(&narrowed, Lists),
     };
     let limits = limits.map_err(|error| BakeError::Range(OutOfRange::new(error, scene)))?;
     let wavelengths = Wavelengths::new(recipe.model, &scene.air, &narrowed, limits);
     let dispersive = wavelengths.dispersive();
-    let used = recipe.model.used(&narrowed.scene());
+    let spreading = recipe.spreading.as_ref().filter(|_| !wavelengths.is_dispersive());
+    let used = spreads::used(&narrowed, spreading, recipe.model.used(&narrowed.scene()));
     let mut source = String::new();
     // A String takes all that is written to it.
-    let _ = module::write(&mut source, name, (&narrowed, &hierarchy), limits, used, recipe);
+    let moves = |list: &str| spreads::moves(&narrowed, spreading, list);
+    let lists = module::write(&mut source, name, (&narrowed, &hierarchy), limits, used, recipe, moves)
+        .unwrap_or_default();
+    let _ = spreads::write(&mut source, &narrowed, spreading, &lists);
     let _ = spectrum::write(&mut source, &narrowed, &hierarchy, dispersive);
     let middle = middle(&narrowed, limits);
     let _ = model::write(

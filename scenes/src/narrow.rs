@@ -85,7 +85,7 @@ pub trait Narrow: Scalar {
     /// # Errors
     /// Those of [`Scene::admit`].
     fn limits(scene: &Narrowed<Self>) -> Result<Limits<Self>, Error> {
-        proved(scene)
+        moving::proved(scene, Lists)
     }
 }
 
@@ -200,20 +200,6 @@ fn lamp<S: Narrow>(index: usize, lamp: &description::Lamp) -> Result<Lamp<S>, Na
 /// The first thing that the format cannot hold, with its size and the limit.
 pub fn narrow<S: Narrow>(description: &Description, aspect: f64) -> Result<Narrowed<S>, NarrowError> {
     S::narrowed(description, aspect)
-}
-
-/// Proves that a scene fits its format.
-fn proved<S: Narrow>(scene: &Narrowed<S>) -> Result<Limits<S>, Error> {
-    let one = |scene: &Narrowed<S>| {
-        let (own, camera) = (scene.scene(), &scene.camera);
-        let admitted = match &scene.spreads.aperture {
-            Some(aperture) => own.admit_lens((camera, aperture), Lists),
-            None => own.admit(camera),
-        };
-        Ok(admitted?.limits)
-    };
-    // What holds when the shutter opens and when it closes does so in between, as everything moves along straight lines.
-    scene.ends().iter().map(one).try_fold(one(scene)?, |all, end| Ok(all.with(&end?)))
 }
 
 fn brought<S: Narrow>(description: &Description, aspect: f64) -> Result<Narrowed<S>, NarrowError> {

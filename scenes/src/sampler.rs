@@ -3,9 +3,12 @@
 use rta_core::color::Rgb;
 use rta_core::raster::Raster;
 pub use rta_core::raster::corners::Cutting;
-use rta_core::sampling::{Places, Sampling, Sobol};
+pub use rta_core::sampling::Sobol;
+use rta_core::sampling::{Places, Sampling};
 use rta_core::scalar::{Light, Unit};
 pub use rta_core::trace::dice::Lamps;
+
+use crate::description::{Description, Material};
 
 /// Where the samples of a pixel lie.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -14,8 +17,17 @@ pub enum Sampler {
     Grid(Sampling),
     /// At the places of a sequence, and their rays are spread.
     Sobol(Spreading),
-    /// At the corners of pixels, which are cut where the light there differs.
-    Corners(Cutting),
+    /// More of them where the light of neighbours differs.
+    Adaptive(Adaptive),
+}
+
+/// A way of adaptive antialiasing.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Adaptive {
+    /// At the corners of pixels, which are cut where the light there differs (T. Whitted 1980).
+    Whitted(Cutting),
+    /// One in each pixel, and eight more where the contrast around it is high (D. Mitchell 1987).
+    Mitchell,
 }
 
 /// Samples whose rays are spread.
@@ -29,6 +41,33 @@ pub struct Spreading {
     pub split: u16,
 }
 
+impl Spreading {
+    /// Returns how the rays of a scene are spread where nobody says more: nothing is where nothing in it spreads them. `samples` is the number
+    /// of samples where the scene has none, a power of two.
+    #[must_use]
+    pub fn of(scene: &Description, lamps: Lamps, samples: u32) -> Option<Self> {
+        let spreads = lamps != Lamps::Point && !is_spectral(scene) || spreads(scene, scene.optics.aperture);
+        let samples = Sobol::new(scene.settings.samples.unwrap_or(samples), 0)?;
+        spreads.then_some(Self { samples, lamps, split: 1 })
+    }
+}
+
+/// Returns whether something in a scene spreads rays by itself, seen by a lens of the size `aperture`, if there is one: that lens, motion, or
+/// a rough material; nothing in a picture of several wavelengths.
+#[must_use]
+pub fn spreads(scene: &Description, aperture: Option<f64>) -> bool {
+    let is_rough = |own: &Material| own.roughness.is_some_and(|roughness| roughness > 0.0);
+    let has_lens = aperture.is_some_and(|aperture| aperture > 0.0);
+    !is_spectral(scene) && (has_lens || scene.has_motion() || scene.materials.iter().any(is_rough))
+}
+
+/// Returns whether the picture of a scene has several wavelengths, whose rays are not spread.
+#[must_use]
+pub fn is_spectral(scene: &Description) -> bool {
+    let is_dispersive = scene.materials.iter().any(|own| own.dispersion.is_some());
+    scene.settings.wavelengths.is_some_and(|count| count > 0) && is_dispersive
+}
+
 impl Sampler {
     /// One sample, in the middle of the pixel.
     pub const CENTER: Self = Self::Grid(Sampling::CENTER);
@@ -38,7 +77,7 @@ impl Sampler {
     pub const fn is_jittered(&self) -> bool {
         match self {
             Self::Grid(sampling) => sampling.is_jittered(),
-            Self::Sobol(_) | Self::Corners(_) => false,
+            Self::Sobol(_) | Self::Adaptive(_) => false,
         }
     }
 
@@ -46,7 +85,7 @@ impl Sampler {
     #[must_use]
     pub const fn spreading(&self) -> Option<&Spreading> {
         match self {
-            Self::Grid(_) | Self::Corners(_) => None,
+            Self::Grid(_) | Self::Adaptive(_) => None,
             Self::Sobol(spreading) => Some(spreading),
         }
     }
@@ -58,7 +97,7 @@ impl From<Sampling> for Sampler {
     }
 }
 
-/// Pixels that are cut have one sample in the middle here: how many rays they take is seen only when they are traced.
+/// With adaptive antialiasing pixels have one sample in the middle here: how many rays they take is seen only when they are traced.
 impl Places for Sampler {
     /// The number of the row.
     type Row<U: Unit> = u32;
@@ -67,7 +106,7 @@ impl Places for Sampler {
         match self {
             Self::Grid(sampling) => sampling.samples(),
             Self::Sobol(spreading) => spreading.samples.samples(),
-            Self::Corners(_) => Sampling::CENTER.samples(),
+            Self::Adaptive(_) => Sampling::CENTER.samples(),
         }
     }
 
@@ -79,7 +118,7 @@ impl Places for Sampler {
         match self {
             Self::Grid(sampling) => sampling.place(raster, row, x, sample),
             Self::Sobol(spreading) => spreading.samples.place(raster, row, x, sample),
-            Self::Corners(_) => Sampling::CENTER.place(raster, row, x, sample),
+            Self::Adaptive(_) => Sampling::CENTER.place(raster, row, x, sample),
         }
     }
 
@@ -87,7 +126,7 @@ impl Places for Sampler {
         match self {
             Self::Grid(sampling) => sampling.add(sum, light),
             Self::Sobol(spreading) => spreading.samples.add(sum, light),
-            Self::Corners(_) => Sampling::CENTER.add(sum, light),
+            Self::Adaptive(_) => Sampling::CENTER.add(sum, light),
         }
     }
 
@@ -95,7 +134,7 @@ impl Places for Sampler {
         match self {
             Self::Grid(sampling) => sampling.mean(sum),
             Self::Sobol(spreading) => spreading.samples.mean(sum),
-            Self::Corners(_) => Sampling::CENTER.mean(sum),
+            Self::Adaptive(_) => Sampling::CENTER.mean(sum),
         }
     }
 }

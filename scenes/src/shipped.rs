@@ -47,3 +47,11 @@ pub const FILES: [(&str, &str); 12] = [
     ("prism.rta", PRISM),
     ("textures.rta", include_str!("../textures.rta")),
 ];
+
+/// Small scenes whose rays spread, each in one way: names and texts.
+pub const SPREADING: [(&str, &str); 4] = [
+    ("penumbra", include_str!("../penumbra.rta")),
+    ("gloss", include_str!("../gloss.rta")),
+    ("lens", include_str!("../lens.rta")),
+    ("motion", include_str!("../motion.rta")),
+];

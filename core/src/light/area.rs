@@ -57,7 +57,8 @@ impl<'l, S: Scalar> Glimpse<'l, S> {
         let along = lifted::<S>([x, y]);
         let direction = Frame::about(axis).vector([x, y, along]);
         let cosine = normal.dot(direction);
-        let least = S::Unit::ratio(1, 1 << 14);
+        // 2^-14.
+        let least = S::Unit::of_word(1 << 18);
         let shown = Incident {
             direction: axis,
             distance,

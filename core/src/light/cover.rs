@@ -14,8 +14,12 @@ pub fn beyond<U: Unit>(s: U) -> U {
     }
     let root = U::radical(U::ONE, U::ZERO, s).unwrap_or(U::ZERO);
     let turn = U::turn(s, root);
-    // 1/pi, within 1e-16.
-    turn + turn - s.times(root).times(U::ratio(78_256_779, 245_850_922))
+    turn + turn - over_pi(s.times(root))
+}
+
+/// Returns the number over pi, which is taken within 1e-16.
+pub(super) fn over_pi<U: Unit>(number: U) -> U {
+    number.times(U::ratio(78_256_779, 245_850_922))
 }
 
 /// Returns the part of a disc of the radius `own` that another of the radius `other` covers, whose middle is `apart` away; all three of one

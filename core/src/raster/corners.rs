@@ -2,8 +2,18 @@
 //! 1980).
 //!
 //! Where the light at the four corners of a pixel is alike, the pixel is their mean. Where it is not, the pixel is cut into quarters, and
-//! each of them again, down to a depth. Corners are shared: most pixels cost one ray, and a pixel on an edge about `2^(k + 2)` of them, k
-//! being the depth, for the error of a grid of `2^k x 2^k` samples.
+//! each of them again, down to a depth; a quarter whose corners differ by as much moves the pixel by a quarter of that, so each cut allows
+//! twice the difference. Corners are shared: most pixels cost one ray, and a pixel on an edge about `2^(k + 2)` of them, k being the depth,
+//! for the error of a grid of `2^k x 2^k` samples.
+//!
+//! Something small may lie between corners that are alike. Where a pixel beside, to the left or to the right, is cut, the light in the
+//! middle is compared too; and a [`Force`] cuts pixels whatever their corners are, as Whitted does for objects smaller than a pixel.
+
+mod cutting;
+mod keep;
+
+pub use cutting::Cutting;
+pub use keep::{Force, Keep, Packed};
 
 use super::Raster;
 use crate::camera::Camera;
@@ -12,58 +22,29 @@ use crate::scalar::{Light, Scalar, Unit};
 use crate::trace::Trace;
 use crate::trace::dice::Sample;
 
-/// How pixels are cut.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct Cutting {
-    /// How often a pixel is halved along each side at most, 0 to [`Cutting::DEEPEST`].
-    depth: u8,
-    /// Corners that differ by more than this share of white, in 256ths, in any register are not alike.
-    tolerance: u8,
-}
-
-impl Default for Cutting {
-    /// Twice, where corners differ by more than a sixteenth.
-    fn default() -> Self {
-        Self { depth: 2, tolerance: 16 }
-    }
-}
-
-impl Cutting {
-    /// The largest depth.
-    pub const DEEPEST: u8 = 4;
-
-    /// Returns a depth and a tolerance in 256ths of white; `None` where the depth is above [`Cutting::DEEPEST`].
-    pub const fn new(depth: u8, tolerance: u8) -> Option<Self> {
-        if depth > Self::DEEPEST { None } else { Some(Self { depth, tolerance }) }
-    }
-
-    /// Returns the deepest cutting, of pixels that differ at all.
-    pub const fn most() -> Self {
-        Self { depth: Self::DEEPEST, tolerance: 0 }
-    }
-
-    /// Returns the depth.
-    pub const fn depth(self) -> u8 {
-        self.depth
-    }
-
-    /// Returns how many places of a pixel have light of their own at most: `(2^depth + 1)^2`, the room of a [`Corners`].
-    pub const fn places(self) -> usize {
-        let side = (1 << self.depth) + 1;
-        side * side
-    }
-}
-
 /// The rows of a picture, from the top to the bottom. `PLACES` is the room for the light within a pixel, [`Cutting::places`].
 ///
-/// The memory is the caller's: the light of the corners of one row, one more than it has pixels.
-pub struct Corners<'a, S: Scalar, T: Trace<S>, const PLACES: usize = 25> {
+/// The memory is the caller's: the light of the corners of one row, one more than it has pixels, as it is or [`Packed`].
+pub struct Corners<
+    'a,
+    S: Scalar,
+    T: Trace<S>,
+    const PLACES: usize = 25,
+    K = Rgb<<S as Scalar>::Light>,
+    F = (),
+> {
     tracer: &'a T,
     camera: &'a Camera<S>,
     raster: Raster,
     cutting: Cutting,
     /// The light at the upper corners of the row that is next.
-    above: &'a mut [Rgb<S::Light>],
+    above: &'a mut [K],
+    /// The light on the upper edges of the pixels of that row, between the corners; empty where it is not shared.
+    edges: &'a mut [Rgb<S::Light>],
+    cells: Cells<S, PLACES>,
+    /// The column after that of the pixel to which the cells belong; 0 for none.
+    after: u32,
+    force: F,
     y: u32,
     /// Rays from the eye so far.
     rays: u64,
@@ -75,21 +56,35 @@ struct Cells<S: Scalar, const PLACES: usize> {
     light: [Option<Rgb<S::Light>>; PLACES],
 }
 
-impl<'a, S: Scalar, T: Trace<S>, const PLACES: usize> Corners<'a, S, T, PLACES> {
+impl<'a, S: Scalar, T: Trace<S>, const PLACES: usize, K: Keep<S::Light>> Corners<'a, S, T, PLACES, K> {
     /// Returns the rows of a picture from row `first` on; `None` where `above` is not as long as a row and one, or `PLACES` are too few.
     pub fn new(
         tracer: &'a T,
         (camera, raster): (&'a Camera<S>, Raster),
         cutting: Cutting,
-        above: &'a mut [Rgb<S::Light>],
+        above: &'a mut [K],
         first: u32,
     ) -> Option<Self> {
         let corners = usize::try_from(raster.width()).ok()?.checked_add(1)?;
         if above.len() != corners || PLACES < cutting.places() {
             return None;
         }
-        let memory = T::Memory::default();
-        let mut rows = Self { tracer, camera, raster, cutting, above, y: first, rays: 0, memory };
+        let (memory, cells) = (T::Memory::default(), Cells { light: [None; PLACES] });
+        let (edges, force) = (&mut [][..], ());
+        let mut rows = Self {
+            tracer,
+            camera,
+            raster,
+            cutting,
+            above,
+            edges,
+            cells,
+            after: 0,
+            force,
+            y: first,
+            rays: 0,
+            memory,
+        };
         for x in 0..=raster.width() {
             let light = rows.corner(x, first);
             rows.keep(x, light);
@@ -97,21 +92,49 @@ impl<'a, S: Scalar, T: Trace<S>, const PLACES: usize> Corners<'a, S, T, PLACES> 
         Some(rows)
     }
 
+    /// Returns the rows with some pixels cut whatever their corners are.
+    pub fn forced<F: Force>(self, force: F) -> Corners<'a, S, T, PLACES, K, F> {
+        let Self { tracer, camera, raster, cutting, above, edges, cells, after, y, rays, memory, .. } = self;
+        Corners { tracer, camera, raster, cutting, above, edges, cells, after, force, y, rays, memory }
+    }
+}
+
+impl<'a, S: Scalar, T: Trace<S>, const PLACES: usize, K: Keep<S::Light>, F: Force>
+    Corners<'a, S, T, PLACES, K, F>
+{
+    /// Returns the rows with the light between the corners of pixels one above the other traced once: the same picture for fewer rays.
+    /// `edges` is their memory, of [`Cutting::edges`] lights for each pixel of a row; with less of it, less is shared.
+    pub fn sharing(self, edges: &'a mut [Rgb<S::Light>]) -> Self {
+        edges.fill(Self::unknown());
+        Self { edges, ..self }
+    }
+
     /// Calls `put` with the light of each pixel of the next row, from left to right. Returns whether there was one.
     pub fn next_row(&mut self, mut put: impl FnMut(Rgb<S::Light>)) -> bool {
         if self.y >= self.raster.height() {
             return false;
         }
-        let y = self.y;
-        let mut below = self.corner(0, y + 1);
-        for x in 0..self.raster.width() {
-            let [left, right] = [x, x + 1].map(|x| self.kept(x));
-            let next = self.corner(x + 1, y + 1);
-            put(self.pixel((x, y), [left, right, below, next]));
+        let (y, width) = (self.y, self.raster.width());
+        self.after = 0;
+        let [below, next] = [0, 1].map(|x| self.corner(x, y + 1));
+        let mut corners = [self.kept(0), self.kept(1), below, next];
+        let (mut was_alike, mut is_alike) = (true, self.are_alike(&corners, 0));
+        for x in 0..width {
+            let [_, right, below, next] = corners;
+            let mut following = [right, right, next, next];
+            let mut will_be_alike = true;
+            if x + 1 < width {
+                following = [right, self.kept(x + 2), next, self.corner(x + 2, y + 1)];
+                will_be_alike = self.are_alike(&following, 0);
+            }
+            put(self.pixel((x, y), &corners, is_alike, was_alike && will_be_alike));
             self.keep(x, below);
-            below = next;
+            if x + 1 == width {
+                self.keep(width, next);
+            }
+            corners = following;
+            (was_alike, is_alike) = (is_alike, will_be_alike);
         }
-        self.keep(self.raster.width(), below);
         self.y += 1;
         true
     }
@@ -121,20 +144,22 @@ impl<'a, S: Scalar, T: Trace<S>, const PLACES: usize> Corners<'a, S, T, PLACES> 
         self.rays
     }
 
-    fn kept(&self, x: u32) -> Rgb<S::Light> {
-        let light = usize::try_from(x).ok().and_then(|x| self.above.get(x));
-        light.copied().unwrap_or(Rgb::BLACK)
-    }
-
     fn keep(&mut self, x: u32, light: Rgb<S::Light>) {
         if let Some(place) = usize::try_from(x).ok().and_then(|x| self.above.get_mut(x)) {
-            *place = light;
+            *place = K::keep(light);
         }
     }
 
+    /// Returns the light at a corner of pixels, as it is kept.
     fn corner(&mut self, x: u32, y: u32) -> Rgb<S::Light> {
         let side = 1 << self.cutting.depth;
-        self.light((x * side, y * side))
+        let light = self.light((x * side, y * side));
+        K::keep(light).light()
+    }
+
+    fn kept(&self, x: u32) -> Rgb<S::Light> {
+        let light = usize::try_from(x).ok().and_then(|x| self.above.get(x));
+        light.map_or(Rgb::BLACK, |light| light.light())
     }
 
     /// Returns the light at a place of the lattice that cuts each pixel `2^depth` times, from 0 at the picture's left and upper edges; white at
@@ -151,52 +176,122 @@ impl<'a, S: Scalar, T: Trace<S>, const PLACES: usize> Corners<'a, S, T, PLACES> 
         light.map(|light| if light > S::Light::WHITE { S::Light::WHITE } else { light })
     }
 
-    /// Returns the light of a pixel from that of its corners: upper left, upper right, lower left, lower right.
-    fn pixel(&mut self, (x, y): (u32, u32), corners: [Rgb<S::Light>; 4]) -> Rgb<S::Light> {
-        let depth = self.cutting.depth;
-        if depth == 0 || self.are_alike(&corners) {
-            return mean(corners);
+    /// Returns the light of a pixel from that of its corners: upper left, upper right, lower left, lower right. `is_alike` tells whether they
+    /// are alike, `amid` whether those of the pixels beside are.
+    fn pixel(
+        &mut self,
+        (x, y): (u32, u32),
+        corners: &[Rgb<S::Light>; 4],
+        is_alike: bool,
+        amid: bool,
+    ) -> Rgb<S::Light> {
+        let side = 1u32 << self.cutting.depth;
+        let is_forced = self.force.is_cut(x, y);
+        if side == 1 || (is_alike && amid && !is_forced) {
+            self.forget(x);
+            return mean(*corners);
         }
-        let side = 1u32 << depth;
-        let mut cells = Cells::<S, PLACES> { light: [None; PLACES] };
-        for (at, light) in [(0, 0), (side, 0), (0, side), (side, side)].into_iter().zip(corners) {
-            cells.keep(at, side, light);
+        let (first, half) = ((x * side, y * side), side / 2);
+        let mut middle = None;
+        if is_alike && !is_forced {
+            let light = self.light((first.0 + half, first.1 + half));
+            let [a, b, c, d] = *corners;
+            if self.are_alike(&[a, b, c, d, light], 0) {
+                self.forget(x);
+                let whole = mean(*corners);
+                return mean([whole, whole, light, light]);
+            }
+            middle = Some(light);
         }
-        self.square(&mut cells, (x * side, y * side), (0, 0), side)
+        self.enter(x);
+        for (at, light) in [(0, 0), (side, 0), (0, side), (side, side)].into_iter().zip(*corners) {
+            self.cells.keep(at, side, light);
+        }
+        if let Some(light) = middle {
+            self.cells.keep((half, half), side, light);
+        }
+        let quarters = [(0, 0), (half, 0), (0, half), (half, half)];
+        let light = mean(quarters.map(|at| self.square(first, at, half, is_forced)));
+        self.leave(x);
+        light
     }
 
     /// Returns the light of a square within a pixel whose place on the picture's lattice is `pixel`: `at` is its upper left, `size` its side.
-    fn square(
-        &mut self,
-        cells: &mut Cells<S, PLACES>,
-        pixel: (u32, u32),
-        (x, y): (u32, u32),
-        size: u32,
-    ) -> Rgb<S::Light> {
+    fn square(&mut self, pixel: (u32, u32), (x, y): (u32, u32), size: u32, is_forced: bool) -> Rgb<S::Light> {
         let side = 1 << self.cutting.depth;
         let corners = [(x, y), (x + size, y), (x, y + size), (x + size, y + size)];
-        let corners = corners.map(|at| match cells.get(at, side) {
+        let corners = corners.map(|at| match self.cells.get(at, side) {
             Some(light) => light,
             None => {
                 let light = self.light((pixel.0 + at.0, pixel.1 + at.1));
-                cells.keep(at, side, light);
+                self.cells.keep(at, side, light);
                 light
             }
         });
-        if size == 1 || self.are_alike(&corners) {
+        let cuts = side.ilog2() - size.ilog2();
+        if size == 1 || (!is_forced && self.are_alike(&corners, cuts)) {
             return mean(corners);
         }
         let half = size / 2;
         let quarters = [(x, y), (x + half, y), (x, y + half), (x + half, y + half)];
-        mean(quarters.map(|at| self.square(cells, pixel, at, half)))
+        mean(quarters.map(|at| self.square(pixel, at, half, is_forced)))
     }
 
-    fn are_alike(&self, corners: &[Rgb<S::Light>; 4]) -> bool {
-        let tolerance = S::Light::WHITE.times(S::Unit::ratio(self.cutting.tolerance.into(), 256));
+    /// What stands for light that is not known: no light that is kept is brighter than white.
+    fn unknown() -> Rgb<S::Light> {
+        Rgb::BLACK.map(|_: S::Light| S::Light::WHITE.plus(S::Light::WHITE))
+    }
+
+    /// Returns the memory of the upper edge of a pixel, if there is any.
+    fn edge(&mut self, x: u32) -> &mut [Rgb<S::Light>] {
+        let edges = self.cutting.edges();
+        let first = usize::try_from(x).map_or(usize::MAX, |x| x.saturating_mul(edges));
+        self.edges.get_mut(first..first.saturating_add(edges)).unwrap_or_default()
+    }
+
+    /// Makes the cells ready for a pixel, with the light of its left and of its upper edge that is known.
+    fn enter(&mut self, x: u32) {
+        let side = 1 << self.cutting.depth;
+        let is_beside = self.after == x && x > 0;
+        let cells = core::mem::replace(&mut self.cells.light, [None; PLACES]);
+        let cells = Cells::<S, PLACES> { light: cells };
+        for y in 1..side {
+            if let Some(light) = cells.get((side, y), side).filter(|_| is_beside) {
+                self.cells.keep((0, y), side, light);
+            }
+        }
+        for at in 1..side {
+            let known = self.edge(x).get(at as usize - 1).copied();
+            if let Some(light) = known.filter(|light| light.r <= S::Light::WHITE) {
+                self.cells.keep((at, 0), side, light);
+            }
+        }
+    }
+
+    /// Keeps the light of the lower edge of a pixel that was cut.
+    fn leave(&mut self, x: u32) {
+        let side = 1 << self.cutting.depth;
+        for at in 1..side {
+            let light = self.cells.get((at, side), side).unwrap_or(Self::unknown());
+            if let Some(place) = self.edge(x).get_mut(at as usize - 1) {
+                *place = light;
+            }
+        }
+        self.after = x + 1;
+    }
+
+    /// Forgets the light of the upper edge of a pixel that is not cut: that of its lower edge is not known.
+    fn forget(&mut self, x: u32) {
+        self.edge(x).fill(Self::unknown());
+    }
+
+    /// Returns whether lights differ by no more than the tolerance after so many cuts.
+    fn are_alike<const N: usize>(&self, lights: &[Rgb<S::Light>; N], cuts: u32) -> bool {
+        let tolerance = S::Light::WHITE.times(S::Unit::ratio(i64::from(self.cutting.tolerance) << cuts, 256));
         let spread = |register: fn(&Rgb<S::Light>) -> S::Light| {
-            let [first, rest @ ..] = corners.each_ref().map(register);
-            let low = rest.into_iter().fold(first, |low, light| if light < low { light } else { low });
-            let high = rest.into_iter().fold(first, |high, light| if light > high { light } else { high });
+            let all = || lights.iter().map(register);
+            let low = all().fold(S::Light::WHITE, |low, light| if light < low { light } else { low });
+            let high = all().fold(S::Light::ZERO, |high, light| if light > high { light } else { high });
             high <= low.plus(tolerance)
         };
         spread(|light| light.r) && spread(|light| light.g) && spread(|light| light.b)
@@ -226,4 +321,5 @@ fn mean<L: Light>(four: [Rgb<L>; 4]) -> Rgb<L> {
 
 #[cfg(test)]
 #[cfg(feature = "f64")]
+#[allow(clippy::indexing_slicing, reason = "a test may panic")]
 mod tests;

@@ -1,6 +1,6 @@
 //! Samples of a pixel by a sequence.
 
-use super::pairs::{Pairs, Purpose};
+use super::pairs::{Purpose, pair};
 use crate::color::Rgb;
 use crate::raster::{Places, Raster};
 use crate::scalar::{Light, Unit};
@@ -43,7 +43,7 @@ impl Places for Sobol {
     }
 
     fn place<U: Unit>(&self, raster: Raster, y: u32, x: u32, sample: u32) -> (U, U) {
-        let words = Pairs::new(x, y, Purpose::Pixel.tag(1), self.seed).words(sample);
+        let words = pair(x, y, Purpose::Pixel.tag(1), self.seed, sample);
         let place = |pixel: u32, word: u32, pixels: u32| {
             // The upper 16 bits of the word; both terms are below 2^33.
             let part = i64::from(pixel << 16 | word >> 16);

@@ -6,6 +6,7 @@
 
 use super::{Look, Move, Primitive, SurfacePoint};
 use crate::color::Rgb;
+use crate::light::cone::{Hidden, LampCone};
 use crate::needs::Needs;
 use crate::ray::Ray;
 use crate::scalar::vector::{LengthVector, UnitVec3, UnitVector, Vec3, Vector};
@@ -85,6 +86,19 @@ enum Part {
 }
 
 impl<S: Scalar> Cone<S> {
+    /// Returns whether a place is between the ends and nearer to the axis than the side.
+    fn holds(&self, place: Vec3<S>) -> bool {
+        let way = place - self.center;
+        let (along, half) = (way.dot(self.axis), self.span.scale(self.half_height));
+        if along <= -half || along >= half {
+            return false;
+        }
+        // The radius from the axis times the cosine, as the side has it.
+        let radius = self.span.scale(self.waist) + along.scale(self.sine);
+        let away = S::sqrt(way.reject(self.axis, along).norm_squared()).scale(self.cosine);
+        away < radius
+    }
+
     fn local(&self, ray: &Ray<S>, t_max: S) -> Option<Local<S>> {
         let displacement = self.center - ray.origin;
         let b = displacement.dot(ray.direction);
@@ -247,6 +261,39 @@ impl<S: Scalar> Primitive<S> for Cone<S> {
         };
         let place = place.plus(normal, -off);
         SurfacePoint { distance, point: self.center.along(place, self.span), normal }
+    }
+
+    /// As its section along the axis that is seen at its widest, and its end discs as discs of the size at which they are seen. From
+    /// within, one ray to the middle of the lamp decides.
+    fn hidden(&self, cone: &LampCone<S>) -> Hidden<S::Unit> {
+        let (zero, one) = (S::Unit::ZERO, S::Unit::ONE);
+        if self.holds(cone.apex) {
+            let ray = Ray::new(cone.apex, cone.axis);
+            return if self.intersect(&ray, cone.distance).is_some() { one } else { zero }.into();
+        }
+        let way = self.center - cone.apex;
+        let Some((direction, ..)) = way.normalize() else { return zero.into() };
+        if way.dot(cone.axis) >= cone.distance && !self.holds(cone.lamp) {
+            return zero.into();
+        }
+        let half = self.span.scale(self.half_height);
+        let [base, apex] = [-half, half].map(|along| self.center.along(self.axis, along));
+        let [wide, narrow] = self.radii.map(|radius| self.span.scale(radius));
+        let mut part = zero;
+        if let Some((across, _)) = self.axis.cross(direction).normalize() {
+            let side = |end: Vec3<S>, radius: S| end.along(across, radius);
+            let corners = [side(base, wide), side(apex, narrow), side(apex, -narrow), side(base, -wide)];
+            part = cone.polygon(corners);
+        }
+        if self.capped {
+            for (end, radius) in [(base, wide), (apex, narrow)] {
+                let cosine = self.axis.dot(direction);
+                let seen = radius.scale(if cosine < zero { -cosine } else { cosine }.sqrt());
+                let disc = cone.disc(end, seen);
+                part = if disc > part { disc } else { part };
+            }
+        }
+        part.into()
     }
 
     fn look(&self) -> Look<S> {

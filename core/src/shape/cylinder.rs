@@ -2,6 +2,7 @@
 
 use super::{Look, Move, Primitive, SurfacePoint, ahead};
 use crate::color::Rgb;
+use crate::light::cone::{Hidden, LampCone};
 use crate::needs::Needs;
 use crate::ray::{GroundPlan, Ray};
 use crate::scalar::vector::{LengthVector, UnitVec3, UnitVector, Vec3, Vector};
@@ -92,6 +93,36 @@ impl<S: Scalar> Primitive<S> for Cylinder<S> {
         };
         let axis = Vec3::<S>::new(self.center.x(), self.center.y(), height);
         SurfacePoint { distance, point: axis.along(normal, self.radius), normal }
+    }
+
+    /// As the strip between the two lines where it ends to the eye.
+    fn hidden(&self, cone: &LampCone<S>) -> Hidden<S::Unit> {
+        let (zero, one) = (S::Unit::ZERO, S::Unit::ONE);
+        let flat = |way: Vec3<S>| Vec3::<S>::new(way.x(), way.y(), S::ZERO);
+        let way = flat(self.center - cone.apex);
+        let holds_lamp = flat(cone.lamp - self.center).norm_squared() < self.radius.square();
+        let seen = way.normalize().filter(|way| way.1 > self.radius);
+        let Some((direction, _, inverse)) = seen else { return if holds_lamp { zero } else { one }.into() };
+        if holds_lamp {
+            return one.into();
+        }
+        let lamps = flat(cone.lamp - cone.apex).normalize();
+        if lamps.is_none_or(|(ahead, distance, _)| {
+            way.dot(ahead) >= distance || way.dot(ahead) + self.radius <= S::ZERO
+        }) {
+            return zero.into();
+        }
+        let sine = self.radius.fraction(inverse);
+        let cosine = S::Unit::radical(one, zero, sine).unwrap_or(zero);
+        let (x, y) = (direction.x(), direction.y());
+        // The planes that touch it, by their normals away from it.
+        let ends = [cosine, -cosine].map(|cosine| {
+            let normal =
+                UnitVec3::<S>::new(-y.times(cosine) - x.times(sine), x.times(cosine) - y.times(sine), zero);
+            cone.beside(normal)
+        });
+        let part = ends[0] + ends[1] - one;
+        if part < zero { zero } else { part }.into()
     }
 
     /// The look's centre is where the axis meets the floor.

@@ -6,8 +6,10 @@
 
 use super::{Look, Move, Primitive, SurfacePoint, ahead};
 use crate::color::Rgb;
+use crate::light::cone::{Hidden, LampCone};
 use crate::needs::Needs;
 use crate::ray::Ray;
+use crate::sampling::mapping::Frame;
 use crate::scalar::vector::{LengthVector, UnitVec3, UnitVector, Vec3, Vector};
 use crate::scalar::{Scalar, Unit};
 
@@ -33,6 +35,9 @@ pub struct Ellipsoid<S: Scalar> {
     /// Number of its material in the scene's list, from 0.
     pub material: u16,
 }
+
+/// The radius of an octagon that is as large as a circle of the radius 1, times 2^30: the root of 2 pi / (8 sin 45 degrees).
+const OCTAGON: i64 = 1_131_624_417;
 
 /// A ray in the space where an ellipsoid is a sphere of radius [`Ellipsoid::thickness`] around 0.
 struct Squashed<S: Scalar> {
@@ -67,6 +72,17 @@ impl<S: Scalar> Ellipsoid<S> {
             color,
             material,
         }
+    }
+
+    /// Returns the unit vector from the centre to a place in the space where the ellipsoid is the unit sphere, and one over its distance there;
+    /// `None` for a place within the ellipsoid.
+    fn view(&self, place: Vec3<S>) -> Option<(UnitVec3<S>, S::Unit)> {
+        let (direction, distance, inverse) = (place - self.center).normalize()?;
+        let least = self.extent.scale(self.thickness);
+        let least = if least < distance { least.fraction(inverse) } else { return None };
+        let (direction, stretch) = direction.times(self.squash).normalize()?;
+        let sine = least.over(stretch);
+        (sine < S::Unit::ONE).then_some((direction, sine))
     }
 
     /// Returns the ray in the space where the ellipsoid is a sphere, if it meets that sphere.
@@ -119,6 +135,31 @@ impl<S: Scalar> Primitive<S> for Ellipsoid<S> {
         let (r, p) = (self.radii, place);
         let arm = Vec3::<S>::new(r.x().scale(p.x()), r.y().scale(p.y()), r.z().scale(p.z()));
         SurfacePoint { distance, point: self.center + arm, normal }
+    }
+
+    /// As an octagon about its outline, and as large.
+    fn hidden(&self, cone: &LampCone<S>) -> Hidden<S::Unit> {
+        let (one, zero) = (S::Unit::ONE, S::Unit::ZERO);
+        let holds = |place| self.view(place).is_none();
+        if let Some(part) = cone.before(self.center, holds) {
+            return part.into();
+        }
+        // Of the unit sphere the outline is a circle about the way to the point.
+        let Some((direction, sine)) = self.view(cone.apex) else { return one.into() };
+        let radius =
+            S::Unit::radical(one, zero, sine).unwrap_or(zero).times(S::Unit::ratio(OCTAGON, 1 << 30));
+        let frame = Frame::about(direction);
+        let diagonal = radius.times(S::Unit::ratio(759_250_125, 1 << 30));
+        let corners = [[radius, zero], [diagonal, diagonal], [zero, radius], [-diagonal, diagonal]];
+        let [a, b, c, d] = corners;
+        let opposite = [a, b, c, d].map(|[x, y]| [-x, -y]);
+        let [e, f, g, h] = opposite;
+        let corners = [a, b, c, d, e, f, g, h].map(|[x, y]| {
+            let place = frame.vector([x, y, sine]);
+            let (r, p) = (self.radii, place);
+            self.center + Vec3::<S>::new(r.x().scale(p.x()), r.y().scale(p.y()), r.z().scale(p.z()))
+        });
+        cone.polygon(corners).into()
     }
 
     fn look(&self) -> Look<S> {

@@ -2,6 +2,7 @@
 
 use super::SurfacePoint;
 use crate::color::Rgb;
+use crate::light::cone::LampCone;
 use crate::needs::Needs;
 use crate::ray::Ray;
 use crate::scalar::Scalar;
@@ -31,6 +32,11 @@ impl<S: Scalar> Floor<S> {
         } else {
             None
         }
+    }
+
+    /// Returns the part of a lamp that the floor hides.
+    pub fn hidden(&self, cone: &LampCone<S>) -> S::Unit {
+        cone.half_space(cone.apex.z(), cone.lamp.z(), UnitVec3::<S>::Z)
     }
 
     /// Returns the surface point of the hit at the distance `t`, and the reflectance of the tile there. Where `t` is beyond

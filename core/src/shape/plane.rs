@@ -5,6 +5,7 @@
 
 use super::{Look, Move, Primitive, SurfacePoint};
 use crate::color::Rgb;
+use crate::light::cone::{Hidden, LampCone};
 use crate::needs::Needs;
 use crate::ray::Ray;
 use crate::scalar::vector::{LengthVector, UnitVec3, UnitVector, Vec3};
@@ -67,6 +68,11 @@ impl<S: Scalar> Primitive<S> for Plane<S> {
             _ => self.center + place,
         };
         SurfacePoint { distance: t, point, normal: self.normal }
+    }
+
+    fn hidden(&self, cone: &LampCone<S>) -> Hidden<S::Unit> {
+        let height = |place: Vec3<S>| (place - self.center).dot(self.normal);
+        cone.half_space(height(cone.apex), height(cone.lamp), self.normal).into()
     }
 
     /// The look is that of a disc, beyond which no place of the plane lies.

@@ -6,6 +6,7 @@
 
 use super::{Look, Move, Primitive, SurfacePoint};
 use crate::color::Rgb;
+use crate::light::cone::{Hidden, LampCone};
 use crate::needs::Needs;
 use crate::ray::Ray;
 use crate::scalar::vector::{LengthVector, UnitVec3, UnitVector, Vec3, Vector};
@@ -198,6 +199,16 @@ impl<S: Scalar> Primitive<S> for Triangle<S> {
     fn look(&self) -> Look<S> {
         let Self { vertices: [center, ..], extent, color, material, .. } = *self;
         Look { color, material, extent, center, radius: extent, least: extent }
+    }
+
+    fn hidden(&self, cone: &LampCone<S>) -> Hidden<S::Unit> {
+        let [corner, ..] = self.vertices;
+        let height = |place: Vec3<S>| (place - corner).dot(self.normal);
+        let (own, lamps) = (height(cone.apex), height(cone.lamp));
+        let from_behind = own < S::ZERO;
+        let is_between = if from_behind { lamps > S::ZERO } else { own > S::ZERO && lamps < S::ZERO };
+        let is_seen = is_between && !(from_behind && self.one_sided);
+        Hidden { part: if is_seen { cone.polygon(self.vertices) } else { S::Unit::ZERO }, from_behind }
     }
 
     fn face(&self) -> Option<UnitVec3<S>> {

@@ -9,7 +9,7 @@ use core::fmt::Debug;
 use crate::camera::Aperture;
 use crate::light::area::Square;
 use crate::ray::RayKind;
-use crate::sampling::pairs::{Pairs, Purpose};
+use crate::sampling::pairs::{Pairs, Purpose, pair};
 use crate::scalar::{Scalar, Unit};
 
 /// What the rays of a sample are spread by. It is handed on by value, so that [`Still`] dice take no memory.
@@ -33,6 +33,14 @@ pub trait Dice<S: Scalar>: Copy {
     /// Returns the places on lamp number `lamp` that light the point where the ray at `node` ends; `None` if the lamp is a point. `is_first`
     /// says whether that is a ray from the eye.
     fn places(self, _lamp: usize, _node: Self::Node, _is_first: bool) -> Option<LampPlaces> {
+        None
+    }
+
+    /// Returns the bodies of [`Spread::bodies`] where lamps are asked by cones; `None` where they are not.
+    fn bodies<'d>(self) -> Option<&'d [u32]>
+    where
+        Self: 'd,
+    {
         None
     }
 
@@ -68,6 +76,10 @@ pub enum Lamps {
     Fixed(u8),
     /// At places that differ from point to point.
     Area,
+    /// By one cone from each point to the sphere of a lamp, which things cover in part: soft shadows without noise, but where several things
+    /// cover the same or different parts of a lamp, it is not known which ([`light::cone`](crate::light::cone)). Lamps that are
+    /// parallelograms count as the spheres that they are seen as.
+    Cone,
 }
 
 /// What spreads in a scene. It is borrowed data beside the scene, so that a scene in which nothing spreads is as it was.
@@ -83,12 +95,15 @@ pub struct Spread<'a, S: Scalar> {
     pub aperture: Option<Aperture<S>>,
     /// Roughness of the materials, 0 to 1, in the order of the scene's materials as far as any is rough.
     pub roughness: &'a [S::Unit],
+    /// Which triangles are faces of one body, for [`Lamps::Cone`]: a number for each, equal for those of one body, which follow one another, in
+    /// the order of the scene's triangles; those beyond are bodies by themselves.
+    pub bodies: &'a [u32],
 }
 
 impl<S: Scalar> Spread<'_, S> {
     /// Nothing spreads.
     pub const NONE: Self =
-        Self { lamps: Lamps::Point, split: 1, squares: &[], aperture: None, roughness: &[] };
+        Self { lamps: Lamps::Point, split: 1, squares: &[], aperture: None, roughness: &[], bodies: &[] };
 }
 
 /// Which sample of a picture is traced.
@@ -118,6 +133,12 @@ impl<S: Scalar> Thrown<'_, S> {
     pub fn pairs(&self, purpose: Purpose, node: u32) -> Pairs {
         Pairs::new(self.sample.x, self.sample.y, purpose.tag(node), self.seed)
     }
+
+    /// Returns the sample's own pair of numbers for a purpose, at a ray of the tree: two numbers of 32 bits behind the point.
+    pub fn words(&self, purpose: Purpose, node: u32) -> [u32; 2] {
+        let Sample { x, y, number } = self.sample;
+        pair(x, y, purpose.tag(node), self.seed, number)
+    }
 }
 
 impl<S: Scalar> Dice<S> for &Thrown<'_, S> {
@@ -132,13 +153,12 @@ impl<S: Scalar> Dice<S> for &Thrown<'_, S> {
 
     fn facet(self, material: u16, node: u32) -> Option<(S::Unit, [u32; 2])> {
         let roughness = *self.spread.roughness.get(usize::from(material))?;
-        let words = || self.pairs(Purpose::Lobe, node).words(self.sample.number);
-        (roughness > S::Unit::ZERO).then(|| (roughness, words()))
+        (roughness > S::Unit::ZERO).then(|| (roughness, self.words(Purpose::Lobe, node)))
     }
 
     fn places(self, lamp: usize, node: u32, is_first: bool) -> Option<LampPlaces> {
         match self.spread.lamps {
-            Lamps::Point => None,
+            Lamps::Point | Lamps::Cone => None,
             Lamps::Fixed(side) => Some(LampPlaces::grid(side)),
             Lamps::Area => {
                 let split = if is_first { u32::from(self.spread.split.max(1)) } else { 1 };
@@ -150,6 +170,13 @@ impl<S: Scalar> Dice<S> for &Thrown<'_, S> {
                 Some(LampPlaces::some(own.pairs(Purpose::Lamp, node), first, split))
             }
         }
+    }
+
+    fn bodies<'d>(self) -> Option<&'d [u32]>
+    where
+        Self: 'd,
+    {
+        (self.spread.lamps == Lamps::Cone).then_some(self.spread.bodies)
     }
 
     fn square<'d>(self, lamp: usize) -> Option<&'d Square<S>>

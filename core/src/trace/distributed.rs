@@ -10,8 +10,8 @@ use crate::illumination::Illumination;
 use crate::needs::Needs;
 use crate::sampling::mapping::disc;
 use crate::sampling::pairs::Purpose;
-use crate::scalar::Scalar;
 use crate::scalar::vector::{UnitVec3, Vec3};
+use crate::scalar::{Scalar, Unit};
 
 /// A tracer whose rays are spread over a lens, over lamps, and over the facets of rough surfaces.
 #[derive(Clone, Copy, Debug)]
@@ -24,7 +24,7 @@ pub struct Distributed<'a, S: Scalar, M, N, const STACK: usize, A = Lists> {
     pub seed: u32,
 }
 
-impl<S: Scalar, M, N, const STACK: usize, A> Distributed<'_, S, M, N, STACK, A> {
+impl<S: Scalar, M, N: Needs, const STACK: usize, A> Distributed<'_, S, M, N, STACK, A> {
     /// Returns the dice of a sample.
     pub(super) const fn dice(&self, sample: Sample) -> Thrown<'_, S> {
         Thrown { spread: self.spread, sample, seed: self.seed }
@@ -38,11 +38,11 @@ impl<S: Scalar, M, N, const STACK: usize, A> Distributed<'_, S, M, N, STACK, A> 
         dice: &Thrown<S>,
     ) -> Start<S> {
         match &self.spread.aperture {
-            Some(aperture) => {
-                let spots = dice.pairs(Purpose::Lens, <&Thrown<S> as Dice<S>>::EYE);
-                camera.through(aperture, (right, up), disc(spots.units(dice.sample.number)))
+            Some(aperture) if N::LENS => {
+                let spot = dice.words(Purpose::Lens, <&Thrown<S> as Dice<S>>::EYE);
+                camera.through(aperture, (right, up), disc(spot.map(S::Unit::of_word)))
             }
-            None => Start { origin: camera.eye, direction: camera.direction(right, up) },
+            _ => Start { origin: camera.eye, direction: camera.direction(right, up) },
         }
     }
 }

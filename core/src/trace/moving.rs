@@ -125,9 +125,8 @@ where
         observer: &mut O,
     ) -> Rgb<S::Light> {
         let dice = self.still.dice(sample);
-        let [time, _]: [S::Unit; 2] =
-            dice.pairs(Purpose::Time, <&Thrown<S> as Dice<S>>::EYE).units(sample.number);
-        let time = time - S::Unit::ratio(1, 2);
+        let [time, _] = dice.words(Purpose::Time, <&Thrown<S> as Dice<S>>::EYE);
+        let time = S::Unit::of_word(time) - S::Unit::of_word(1 << 31);
         let start = self.still.start(camera, place, &dice);
         let Memory { accelerator, room } = memory;
         let light = self.at(time, room, |tracer| tracer.walk(start, &dice, accelerator, observer));

@@ -39,6 +39,7 @@ impl<S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Accelerator
         observer: &mut O,
     ) -> Child<S, M::Weight, D::Node> {
         if !D::STILL
+            && N::GLOSS
             && let (_, dice, node) = parent
             && let Some((roughness, words)) = dice.facet(surface.number, node)
         {

@@ -54,7 +54,7 @@ pub struct Cli {
 pub enum Command {
     /// Show a scene in a window, on the screen of a device
     ///
-    /// The picture grows finer as it is traced. Keys: D next device, M next illumination model, F next number format,
+    /// The picture grows finer as it is traced, and in passes where its rays are spread. Keys: D next device, M next illumination model, F next number format,
     /// T next colour table, X next dithering, + and - (or up and down) depth, R read the scene file again (a change on disk does so by
     /// itself), S save as a PNG in the current folder once the picture is complete, P palette, I the pixel under the
     /// mouse, F11 full screen, H or F1 these keys, Esc or Q leave. A film: space pauses it or goes on, comma and full stop (or left
@@ -117,6 +117,9 @@ pub enum Command {
     /// instructions (where valgrind is installed) and as CPU seconds. It takes minutes. In the folder it leaves
     /// report.md, which names the cheapest setting for each error, report.csv with everything, and for each scene
     /// a work-precision diagram in SVG and PNG.
+    ///
+    /// Of scenes whose rays can be spread, the page and spreading.csv also have error against cost for samples, sampler, lamps,
+    /// antialiasing and splitting, slopes of log error over log samples, and the variances of a pixel with the best --split.
     Report(ReportArgs),
     /// Draw the thesis's figures again: curves and pictures on one page
     ///

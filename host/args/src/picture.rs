@@ -9,6 +9,8 @@ use super::tracing::TracingArgs;
 use crate::value::device::{Device, Target};
 use crate::value::file_type::FileType;
 use crate::value::rows::Rows;
+use crate::value::sampling::ToleranceValue;
+use crate::value::until::Until;
 use rta_scenes::Format;
 
 /// `rta show`.
@@ -24,6 +26,11 @@ pub struct ShowArgs {
     /// The display to emulate, or none for 8 bits a gun without a colour table
     #[arg(short, long, value_enum, ignore_case = true, default_value_t = Target::On(Device::Vga))]
     pub device: Target,
+    /// Show passes of 1, 1, 2, 4, ... samples until the estimated error is at most this, or the time is over: 0.004, 500ms, 30s, 2m
+    ///
+    /// As rta render has it. Without it, a picture whose rays are spread is shown in passes up to its --samples.
+    #[arg(long, value_name = "ERROR|TIME", conflicts_with_all = ["frames", "samples", "jitter", "aa"])]
+    pub until: Option<Until>,
     /// The scene's film.
     #[command(flatten)]
     pub film: FilmArgs,
@@ -37,6 +44,7 @@ impl Default for ShowArgs {
         Self {
             scene: None,
             device: Target::On(Device::Vga),
+            until: None,
             film: FilmArgs::default(),
             tracing: TracingArgs::default(),
         }
@@ -57,6 +65,24 @@ pub struct RenderArgs {
     /// Trace only these frames of the film, A to before B, into a part of it; rta merge makes films of parts
     #[arg(long, value_name = "A..B", requires = "frames", conflicts_with_all = ["rows", "one_table"])]
     pub only: Option<Rows>,
+    /// Trace passes of 1, 1, 2, 4, ... samples until the estimated error is at most this, or the time is over: 0.004, 500ms, 30s, 2m
+    ///
+    /// The error is an rms of linear light, from 0 for black to 1 for white, over all pixels and registers, before the colours of a device.
+    /// It is estimated by the spread of four scrambles of the samples (by seeds of their own, on some of the pixels). The picture is, byte
+    /// for byte, the one of --sampler sobol with as many --samples as it ended with, which the last line tells; there is at least one, and
+    /// there are at most 16384.
+    #[arg(long, value_name = "ERROR|TIME", conflicts_with_all = ["rows", "only", "frames", "samples", "jitter", "aa"])]
+    pub until: Option<Until>,
+    /// With --until, an interrupt (Ctrl-C) writes the picture of the last complete pass, if there is one; without this, nothing
+    #[arg(long, requires = "until")]
+    pub keep: bool,
+    /// End a pixel early where its samples and its neighbours' agree: where the standard error of their light is below this part of white
+    ///
+    /// Pixels take 4, 8, 16 ... samples of --sampler sobol, --samples at most (64 if nothing is said). M. Lee, R. Redner and S. Uselton,
+    /// "Statistically Optimized Sampling for Distributed Ray Tracing", 1985. The last line tells how many a pixel has in the mean. .02 is
+    /// hardly seen; what no sample of a pixel and of its neighbours meets is missed.
+    #[arg(long, value_name = "PART", conflicts_with_all = ["rows", "only", "frames", "until", "jitter", "aa"])]
+    pub tolerance: Option<ToleranceValue>,
     /// What is drawn of it, and into which file.
     #[command(flatten)]
     pub drawing: DrawingArgs,

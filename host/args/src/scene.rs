@@ -9,8 +9,10 @@ use rta_scenes::description::{Air, Shading};
 use rta_scenes::pictures::LARGEST_SIDE;
 
 use super::choice;
+use crate::spreading::SpreadArgs;
 use crate::value::device::Device;
 use crate::value::raster::{Aspect, Size};
+use crate::value::sampling::Samples;
 use rta_scenes::{Format, Model};
 
 /// How a scene file is read.
@@ -137,6 +139,15 @@ pub struct BakeArgs {
     /// Shape of the screen that the whole picture fills
     #[arg(long, value_name = "RATIO", default_value = "4:3")]
     pub aspect: Aspect,
+    /// Samples of a pixel whose rays are spread, a power of two up to 16384
+    ///
+    /// [default: where something spreads rays (a lens, motion, rough materials, --lamps) what a .rta says, else 4; elsewhere
+    /// one ray a pixel]
+    #[arg(long, value_name = "N", verbatim_doc_comment)]
+    pub samples: Option<Samples>,
+    /// What spreads rays
+    #[command(flatten)]
+    pub spread: SpreadArgs,
     /// Scale the scene by a power of two if it does not fit the number format (not one with a floor)
     #[arg(long)]
     pub fit: bool,

@@ -3,7 +3,7 @@
 use clap::{Args, ValueEnum};
 
 use super::choice;
-use crate::value::sampling::{CuttingValue, LampsValue, Samples};
+use crate::value::sampling::{AdaptiveValue, LampsValue, Samples};
 
 /// Where the samples of a pixel lie, and what spreads their rays.
 #[derive(Args, Clone, Debug, Default)]
@@ -21,16 +21,27 @@ pub struct SpreadingArgs {
     /// [default: sobol where something spreads rays: a lens, motion, rough materials, --lamps; else grid]
     #[arg(long, value_enum, ignore_case = true, verbatim_doc_comment)]
     pub sampler: Option<SamplerKind>,
-    /// Adaptive antialiasing: whitted cuts pixels twice where the light at their corners differs, whitted:K up to K times
+    /// Adaptive antialiasing: whitted, whitted:K or mitchell
+    ///
+    /// More rays where the light of neighbours differs: whitted cuts pixels in four twice where the light at their corners
+    /// differs, whitted:K up to K times; mitchell has one ray a pixel, and nine where the contrast around it is high.
     #[arg(long, value_name = "WAY", conflicts_with_all = ["samples", "jitter", "sampler", "seed", "lamps", "split", "aperture"])]
-    pub aa: Option<CuttingValue>,
+    pub aa: Option<AdaptiveValue>,
+    /// What spreads rays
+    #[command(flatten)]
+    pub spread: SpreadArgs,
+}
+
+/// What spreads the rays of samples.
+#[derive(Args, Clone, Debug, Default)]
+pub struct SpreadArgs {
     /// Seed of --sampler sobol: pictures with different seeds have different noise [default: 0]
     #[arg(long, value_name = "N", value_parser = choice::whole(0..=u32::MAX))]
     pub seed: Option<u32>,
-    /// How lamps with a radius or with edges are asked: point, fixed:K or area [default: point]
+    /// How lamps with a radius or with edges are asked: point, fixed:K, area or cone [default: point]
     ///
-    /// As points in their middles, at K fixed places (a square number), or at places that differ from point to
-    /// point, so that shadows have soft edges.
+    /// As points in their middles, at K fixed places (a square number), at places that differ from point to
+    /// point, so that shadows have soft edges, or by one cone to the lamp, whose soft edges have no noise.
     #[arg(long, value_name = "LAMPS")]
     pub lamps: Option<LampsValue>,
     /// With --lamps area, shadow rays to a lamp from each point that the eye sees [default: 1]

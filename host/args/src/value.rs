@@ -8,3 +8,4 @@ pub mod file_type;
 pub mod raster;
 pub mod rows;
 pub mod sampling;
+pub mod until;

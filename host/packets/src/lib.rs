@@ -18,9 +18,11 @@
 //! | nodes and leaves are built from a scene's description | `build.rs`, `build/*.rs` |
 //! | one ray is searched for | `one.rs`, `query.rs`, `rays.rs`, `light_buffer.rs`, `cache.rs` |
 //! | four samples are traced | `rows.rs`, `four/*.rs` |
+//! | whether a pixel has samples enough | `agreement.rs` |
 //! | a picture of any format and model | `picture.rs` |
 #![forbid(unsafe_code)]
 
+pub mod agreement;
 mod build;
 mod cache;
 mod four;

@@ -2,8 +2,6 @@
 //!
 //! The tracers of all formats and models are instantiated here, in one place, so that the crates above need not compile them.
 
-use core::fmt;
-
 use rta_core::Error;
 use rta_core::color::Rgb;
 use rta_core::illumination::{Illumination, Phong, Rta, Whitted};
@@ -20,7 +18,7 @@ use rta_core::{Q16, Q20, Scalar};
 use rta_scenes::accelerator::bvh;
 use rta_scenes::description::{Air, Description};
 use rta_scenes::model::Model;
-use rta_scenes::narrow::{Narrow, NarrowError, Narrowed, narrow};
+use rta_scenes::narrow::{Narrow, Narrowed, narrow};
 use rta_scenes::sampler::Sampler;
 use rta_scenes::shading::{Shade, Wavelengths};
 
@@ -28,12 +26,16 @@ use crate::cache::ShadowCache;
 use crate::packets::Packets;
 use crate::rows::Rows;
 
-mod cut;
+mod added;
+mod antialiased;
+mod error;
 mod moving;
 mod spectral;
 mod spread;
 
-use cut::Cut;
+pub use added::{Added, Pass, Sums};
+use antialiased::Antialiased;
+pub use error::PictureError;
 use moving::Moving;
 use spectral::Spectral;
 use spread::Spread;
@@ -55,38 +57,6 @@ pub struct Setup {
     pub cutoff: Option<(i64, i64)>,
     /// Samples of a pixel. The light of one in its middle is kept as it is; of several it is the mean of displayable light.
     pub sampling: Sampler,
-}
-
-/// Why a scene cannot be drawn with some settings.
-#[derive(Clone, Debug, PartialEq)]
-pub enum PictureError {
-    /// A number of the scene does not fit the number format.
-    Narrow(NarrowError),
-    /// Raster, depth, or what the core's own range check finds.
-    Core(Error),
-}
-
-impl fmt::Display for PictureError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Narrow(error) => error.fmt(f),
-            Self::Core(error) => error.fmt(f),
-        }
-    }
-}
-
-impl core::error::Error for PictureError {}
-
-impl From<NarrowError> for PictureError {
-    fn from(error: NarrowError) -> Self {
-        Self::Narrow(error)
-    }
-}
-
-impl From<Error> for PictureError {
-    fn from(error: Error) -> Self {
-        Self::Core(error)
-    }
 }
 
 /// What takes the light of a row of pixels.
@@ -111,6 +81,14 @@ pub trait Picture<S: Narrow>: Send + Sync {
         cache: &mut ShadowCache,
         observer: &mut dyn Observer<S>,
     ) -> Rgb<S::Light>;
+
+    /// Adds samples to the sums of the light of some pixels. Of rays that are not spread the seed of the pass moves the places alone.
+    fn add(&self, pass: Pass, sums: Sums<S>) {
+        let mut cache = ShadowCache::default();
+        pass.add::<S>(self.setup().raster, sums, |place, sample| {
+            self.sample(place, sample, &mut cache, &mut ())
+        });
+    }
 
     /// How the picture is traced.
     fn setup(&self) -> &Setup;
@@ -185,9 +163,9 @@ macro_rules! formats {
                 model: Model,
                 setup: &Setup,
             ) -> Result<Box<dyn Picture<Self>>, PictureError> {
-                if let Sampler::Corners(cutting) = setup.sampling {
+                if let Sampler::Adaptive(adaptive) = setup.sampling {
                     let single = Self::picture(scene, model, &Setup { sampling: Sampler::CENTER, ..*setup })?;
-                    return Ok(Box::new(Cut { single, setup: *setup, cutting }));
+                    return Ok(Box::new(Antialiased::new(single, *setup, adaptive)));
                 }
                 let (ready, air) = (Ready::<$f>::new(scene, setup)?, &scene.air);
                 let limits = ready.limits;

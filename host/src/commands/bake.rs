@@ -6,16 +6,21 @@ use core::sync::atomic::AtomicBool;
 use rta_core::color::Rgb;
 use rta_scenes::Reading;
 use rta_scenes::bake::{self, BakeError, Recipe};
+use rta_scenes::description::Description;
+use rta_scenes::sampler::{Sampler, Spreading};
 
+use crate::args::spreading::{SamplerKind, SpreadingArgs};
 use crate::args::{BakeArgs, TracingArgs};
 use crate::commands::render::Work;
-use crate::engine::{Model, interrupt};
+use crate::engine::interrupt;
 use crate::error::Error;
 use crate::picture::coloring::{Coloring, DitherKind, TableKind};
 use crate::picture::device::{Device, Target};
 use crate::picture::output;
 use crate::request::Request;
+use crate::request::error::RequestError;
 use crate::request::fit::Fit;
+use crate::request::sampler::{self, put_lens};
 use crate::request::scene_file::SceneFile;
 
 /// Runs `rta bake`: writes the source of a scene.
@@ -25,12 +30,14 @@ use crate::request::scene_file::SceneFile;
 pub fn run(args: &BakeArgs) -> Result<(), Error> {
     let reading = Reading::from(args.reading);
     let reading = Reading { texels: reading.texels.or(Some(bake::TEXELS)), ..reading };
-    let scene = SceneFile::open_as(&args.scene, reading)?;
+    let mut scene = SceneFile::open_as(&args.scene, reading)?;
+    let spreading = spreading(args, &scene.description)?;
+    put_lens((args.spread.aperture, args.spread.focus), &mut scene.description);
     let aspect = args.aspect.ratio();
     let model = args.model.unwrap_or(scene.description.model);
     let fit = Fit { format: args.format, aspect, model: Some(model), depth: 0, asked: args.fit };
     let description = fit.scaled(&scene);
-    let recipe = Recipe { format: args.format, aspect, model };
+    let recipe = Recipe { format: args.format, aspect, model, spreading };
     let source = match bake::module(&description, &scene.title, &recipe) {
         Ok(source) => source,
         Err(BakeError::Narrow(error)) => return Err(fit.refused(&scene, error.into()).into()),
@@ -43,26 +50,36 @@ pub fn run(args: &BakeArgs) -> Result<(), Error> {
         Some(device) => {
             // Of the scene that is baked, which may be a scaled one.
             let baked = SceneFile { description: description.into_owned(), ..scene.clone() };
-            source + &palette(args, device, model, &baked, stop)?
+            source + &palette(args, device, &recipe, &baked, stop)?
         }
         None => source,
     };
     Ok(output::write_text(&args.output, &source, &scene.inputs)?)
 }
 
+/// Returns what spreads the rays of samples as the options have it; where they leave it open, as the scene does.
+fn spreading(args: &BakeArgs, scene: &Description) -> Result<Option<Spreading>, RequestError> {
+    let BakeArgs { samples, ref spread, .. } = *args;
+    // A baked scene has no samples on a grid.
+    let sampler = samples.map(|_| SamplerKind::Sobol);
+    let asked = SpreadingArgs { samples, sampler, spread: spread.clone(), ..SpreadingArgs::default() };
+    Ok(sampler::sampler(&asked, Some(scene), bake::SAMPLES)?.spreading().copied())
+}
+
 /// Returns the source of the colour table that `rta render --table baked` makes for the scene on a device.
 fn palette(
     args: &BakeArgs,
     device: Device,
-    model: Model,
+    recipe: &Recipe,
     scene: &SceneFile,
     stop: &AtomicBool,
 ) -> Result<String, Error> {
     let coloring = Coloring { table: TableKind::Baked, dither: DitherKind::None, samples: 0 };
     let aspect = Some(args.aspect);
-    let BakeArgs { format, size, .. } = *args;
+    let (size, Recipe { format, model, spreading, .. }) = (args.size, *recipe);
     let asked = TracingArgs { format, size, aspect, model: Some(model), ..TracingArgs::default() };
-    let request = Request { coloring, ..Request::of(&asked, Target::On(device)) };
+    let sampling = spreading.map_or(Sampler::CENTER, Sampler::Sobol);
+    let request = Request { coloring, sampling, ..Request::of(&asked, Target::On(device)) };
     let levels = Work::new(&request, scene, None, stop)?.quiet(true).palette(device)?;
     let gun_max = device.capabilities().gun_max;
     let mut source = format!(

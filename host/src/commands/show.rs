@@ -6,6 +6,7 @@ pub mod keys;
 pub mod note;
 pub mod overlay;
 pub mod palette;
+mod passing;
 pub mod pointer;
 pub mod reload;
 pub mod shown;
@@ -281,7 +282,7 @@ impl Show {
         let mut content = Vec::new();
         let frame = self.film.number().map(|number| format!("-frame-{number}")).unwrap_or_default();
         let stem = format!("rta-{}-{}{frame}", self.scene.title, self.request.target);
-        let caption = self.request.caption(&self.scene);
+        let caption = self.film.request().caption(&self.scene);
         let encoded = self.shown()?.picture().write_png(&caption, &mut content);
         encoded.map_err(|source| PictureError::write(stem.as_ref(), source))?;
         Ok(output::write_new(&stem, &content)?.display().to_string())

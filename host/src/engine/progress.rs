@@ -23,11 +23,18 @@ impl Progress {
     pub fn new(rows: u32) -> Self {
         let bar = ProgressBar::with_draw_target(Some(rows.into()), ProgressDrawTarget::hidden());
         if let Ok(style) =
-            ProgressStyle::with_template("{bar:40} {percent:>3} %  {elapsed} (about {eta} left)")
+            ProgressStyle::with_template("{bar:40} {percent:>3} %  {elapsed} (about {eta} left){msg}")
         {
             bar.set_style(style);
         }
         Self { bar, waits_since: io::stderr().is_terminal().then(Instant::now) }
+    }
+
+    /// Tells something beside the bar.
+    #[must_use]
+    pub fn beside(self, text: String) -> Self {
+        self.bar.set_message(text);
+        self
     }
 
     /// Shows that the first `rows` rows are done.

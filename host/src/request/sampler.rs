@@ -3,37 +3,46 @@
 use core::fmt;
 
 use rta_args::spreading::{SamplerKind, SpreadingArgs};
-use rta_args::value::sampling::{CuttingValue, LampsValue, Samples};
+use rta_args::value::sampling::{AdaptiveValue, LampsValue, Samples};
 use rta_core::sampling::{Places, Sobol};
 use rta_scenes::description::Description;
-use rta_scenes::sampler::{Lamps, Sampler, Spreading};
+use rta_scenes::sampler::{Lamps, Sampler, Spreading, is_spectral, spreads};
 
 use super::error::RequestError;
 
 /// Samples of a pixel where rays are spread and neither the command line nor the scene says how many.
-const SPREAD: u32 = 16;
+pub const SPREAD: u32 = 16;
 
-/// Returns the sampler that the options ask for; where they leave it open, by the scene.
+/// The most samples of a pixel that ends early where its samples agree.
+const SETTLED: u32 = 64;
+
+/// Returns the sampler that the options ask for; where they leave it open, by the scene, and where that does, `several` samples of which the
+/// rays are spread.
 ///
 /// # Errors
 /// [`RequestError::Samples`] for a number that fills no grid, [`RequestError::OfGrid`] and [`RequestError::OfSobol`] for an option of the
 /// other sampler, [`RequestError::Spectral`] for one that spreads the rays of several wavelengths.
-pub fn sampler(asked: &SpreadingArgs, scene: Option<&Description>) -> Result<Sampler, RequestError> {
-    if let Some(CuttingValue(cutting)) = asked.aa {
-        return Ok(Sampler::Corners(cutting));
+pub fn sampler(
+    asked: &SpreadingArgs,
+    scene: Option<&Description>,
+    several: u32,
+) -> Result<Sampler, RequestError> {
+    if let Some(AdaptiveValue(adaptive)) = asked.aa {
+        return Ok(Sampler::Adaptive(adaptive));
     }
-    let lamps = asked.lamps.map_or(Lamps::Point, |LampsValue(lamps)| lamps);
+    let spread = &asked.spread;
+    let lamps = spread.lamps.map_or(Lamps::Point, |LampsValue(lamps)| lamps);
     let of_sobol = [
         (lamps != Lamps::Point, "--lamps"),
-        (asked.seed.is_some(), "--seed"),
-        (asked.split.is_some(), "--split"),
-        (asked.aperture.is_some_and(|radius| radius > 0.0), "--aperture"),
+        (spread.seed.is_some(), "--seed"),
+        (spread.split.is_some(), "--split"),
+        (spread.aperture.is_some_and(|radius| radius > 0.0), "--aperture"),
     ];
     let of_sobol = of_sobol.into_iter().find_map(|(is_asked, option)| is_asked.then_some(option));
     if let (Some(option), true) = (of_sobol, scene.is_some_and(is_spectral)) {
         return Err(RequestError::Spectral(option));
     }
-    let spreads = || scene.is_some_and(|scene| spreads(asked, scene));
+    let spreads = || scene.is_some_and(|scene| spreads(scene, spread.aperture.or(scene.optics.aperture)));
     let natural = if asked.jitter.is_none() && (of_sobol.is_some() || spreads()) {
         SamplerKind::Sobol
     } else {
@@ -52,29 +61,48 @@ pub fn sampler(asked: &SpreadingArgs, scene: Option<&Description>) -> Result<Sam
             Ok(Sampler::Grid(grid.map_err(|reason| RequestError::Samples { samples, reason })?))
         }
         (SamplerKind::Sobol, _) => {
-            let samples = samples.map_or(SPREAD, Samples::count);
-            let samples = Sobol::new(samples, asked.seed.unwrap_or(0)).ok_or(RequestError::OfGrid)?;
-            Ok(Sampler::Sobol(Spreading { samples, lamps, split: asked.split.unwrap_or(1) }))
+            let samples = samples.map_or(several, Samples::count);
+            let samples = Sobol::new(samples, spread.seed.unwrap_or(0)).ok_or(RequestError::OfGrid)?;
+            Ok(Sampler::Sobol(Spreading { samples, lamps, split: spread.split.unwrap_or(1) }))
         }
     }
 }
 
-/// Returns whether something in the scene spreads rays by itself: a lens, motion, or a rough material; nothing in a picture of several
-/// wavelengths.
-fn spreads(asked: &SpreadingArgs, scene: &Description) -> bool {
-    if is_spectral(scene) {
-        return false;
+/// Returns the sampler of a picture that is traced in passes: that of the options, or a sequence where they would have a grid.
+///
+/// # Errors
+/// [`RequestError::Passes`] for a grid that is asked for, [`RequestError::Spectral`] for a picture of several wavelengths.
+pub fn passes(sampler: Sampler, asked: &SpreadingArgs, scene: &Description) -> Result<Sampler, RequestError> {
+    if asked.sampler == Some(SamplerKind::Grid) {
+        return Err(RequestError::Passes);
     }
-    let has_lens = asked.aperture.or(scene.optics.aperture).is_some_and(|aperture| aperture > 0.0);
-    has_lens
-        || scene.has_motion()
-        || scene.materials.iter().any(|own| own.roughness.is_some_and(|roughness| roughness > 0.0))
+    if is_spectral(scene) {
+        return Err(RequestError::Spectral("passes of samples"));
+    }
+    let samples = Sobol::new(SPREAD, 0).ok_or(RequestError::Passes)?;
+    let plain = Spreading { samples, lamps: Lamps::Point, split: 1 };
+    Ok(Sampler::Sobol(sampler.spreading().copied().unwrap_or(plain)))
 }
 
-/// Returns whether the picture has several wavelengths, whose rays are not spread.
-fn is_spectral(scene: &Description) -> bool {
-    let is_dispersive = scene.materials.iter().any(|own| own.dispersion.is_some());
-    scene.settings.wavelengths.is_some_and(|count| count > 0) && is_dispersive
+/// Returns the sampler of a picture whose pixels end early: that of passes, with the most samples that a pixel may take.
+///
+/// # Errors
+/// Those of [`passes`].
+pub fn settling(
+    sampler: Sampler,
+    asked: &SpreadingArgs,
+    scene: &Description,
+) -> Result<Sampler, RequestError> {
+    let most = asked.samples.map_or(SETTLED, Samples::count);
+    Ok(with_samples(passes(sampler, asked, scene)?, most))
+}
+
+/// Returns the sampler with so many samples of its sequence; a grid stays as it is.
+#[must_use]
+pub fn with_samples(sampler: Sampler, samples: u32) -> Sampler {
+    let Sampler::Sobol(spreading) = sampler else { return sampler };
+    let samples = Sobol::new(samples, spreading.samples.seed()).unwrap_or(spreading.samples);
+    Sampler::Sobol(Spreading { samples, ..spreading })
 }
 
 /// Puts the lens of the options into a scene.
@@ -97,7 +125,7 @@ impl fmt::Display for Told<'_> {
                 let kind = if grid.is_jittered() { "jittered" } else { "regular" };
                 write!(f, ", {} {kind} samples a pixel", grid.samples())
             }
-            Sampler::Corners(cutting) => write!(f, ", antialiasing {}", CuttingValue(*cutting)),
+            Sampler::Adaptive(adaptive) => write!(f, ", antialiasing {}", AdaptiveValue(*adaptive)),
             Sampler::Sobol(Spreading { samples, lamps, split }) => {
                 write!(f, ", {} sobol samples a pixel, seed {}", samples.samples(), samples.seed())?;
                 match lamps {

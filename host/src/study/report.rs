@@ -9,10 +9,13 @@
 //! | the error of a device's colour table | [`display`] |
 //! | instructions under valgrind | [`instructions`] |
 //! | errors and costs of every setting of a scene | [`mod@study`] |
+//! | rays that are spread: samplers, lamps, antialiasing, splitting | [`mod@spreading`] |
 //! | the files | [`table`], [`diagram`], [`page`] |
 
 use core::iter;
 use std::path::{Path, PathBuf};
+
+use rta_scenes::{Reading, shipped};
 
 use crate::args::ReportArgs;
 use crate::engine::interrupt;
@@ -33,9 +36,11 @@ pub mod instructions;
 pub mod measure;
 pub mod page;
 pub mod setting;
+pub mod spreading;
 pub mod study;
 pub mod table;
 
+use spreading::Spread;
 use study::{STEPS, Setup, Study, study};
 
 /// A scene with the text that it was read from, and a name that no other scene of the report has.
@@ -60,6 +65,10 @@ pub fn run(args: &ReportArgs) -> Result<(), StudyError> {
     }
     let program = std::env::current_exe().ok();
     let sources = sources(&args.scenes)?;
+    let mut spread: Vec<_> = sources.iter().filter(|source| source.spreads()).cloned().collect();
+    if args.scenes.is_empty() {
+        spread.extend(shipped_spread()?);
+    }
     output::make_folder(&args.output)?;
     let setup = Setup {
         size,
@@ -68,7 +77,32 @@ pub fn run(args: &ReportArgs) -> Result<(), StudyError> {
         stop: interrupt::watch(),
     };
     let files = Files::open(&args.output, &sources)?;
-    files.write(&studies(&sources, setup)?, setup)
+    let studied = studies(&sources, setup)?;
+    let mut progress = Progress::new(u32::try_from(spread.len()).unwrap_or(u32::MAX));
+    let spread = (1..).zip(&spread).map(|(done, source)| {
+        let studied = spreading::study(source, setup);
+        progress.reached(done);
+        studied
+    });
+    let spread = spread.collect::<Result<Vec<_>, _>>()?;
+    files.write(&studied, &spread, setup)
+}
+
+impl Source {
+    /// Returns whether rays of the scene can be spread over more than the pixel.
+    #[must_use]
+    pub fn spreads(&self) -> bool {
+        spreading::spreads(&self.scene.description)
+    }
+}
+
+/// Returns the scenes of the program that are small and whose rays spread, each in one way.
+fn shipped_spread() -> Result<Vec<Source>, StudyError> {
+    let source = |(title, text): (&str, &str)| {
+        let scene = SceneFile::of_text(title, text, Reading::default())?;
+        Ok(Source { scene, text: text.as_bytes().to_vec(), title: title.to_owned() })
+    };
+    shipped::SPREADING.into_iter().map(source).collect()
 }
 
 /// Reads the scenes, or takes the thesis's three if no file is named.
@@ -103,6 +137,8 @@ pub fn studies(sources: &[Source], setup: Setup) -> Result<Vec<Study>, StudyErro
 /// The files of a report, each found to be writable and none of the scenes.
 struct Files {
     csv: Output,
+    /// The pictures whose rays are spread.
+    spreading: Output,
     /// SVG and PNG of each scene.
     diagrams: Vec<[Output; 2]>,
     page: Output,
@@ -117,11 +153,13 @@ impl Files {
             .iter()
             .map(|Source { title, .. }| Ok([open(&format!("{title}.svg"))?, open(&format!("{title}.png"))?]));
         let diagrams = diagrams.collect::<Result<_, PictureError>>()?;
-        Ok(Self { csv: open("report.csv")?, diagrams, page: open("report.md")? })
+        let (csv, spreading) = (open("report.csv")?, open("spreading.csv")?);
+        Ok(Self { csv, spreading, diagrams, page: open("report.md")? })
     }
 
-    fn write(self, studies: &[Study], setup: Setup) -> Result<(), StudyError> {
+    fn write(self, studies: &[Study], spread: &[Spread], setup: Setup) -> Result<(), StudyError> {
         self.csv.write(&table::csv(studies).map_err(StudyError::report)?)?;
+        self.spreading.write(&spreading::page::csv(spread).map_err(StudyError::report)?)?;
         for (study, [svg, png]) in studies.iter().zip(self.diagrams) {
             svg.write(diagram::svg(study).map_err(StudyError::report)?.as_bytes())?;
             let settings = "error against run time".to_owned();
@@ -129,6 +167,8 @@ impl Files {
             let caption = Caption { title: study.title.clone(), settings };
             png.fill(|out| Ok::<_, Failure<StudyError>>(diagram.write_png(&caption, out)?))?;
         }
-        Ok(self.page.write(page::markdown(studies, setup.size, setup.aspect).as_bytes())?)
+        let mut page = page::markdown(studies, setup.size, setup.aspect);
+        spreading::page::markdown(&mut page, spread);
+        Ok(self.page.write(page.as_bytes())?)
     }
 }

@@ -5,7 +5,7 @@
 //! | the cases | [`cases`] |
 //! | where their rays start and go | [`aim`], [`body`] |
 //! | numbers rounded to a format and read back | [`exact`] |
-//! | the rays of one case in one format | [`mod@measure`] |
+//! | the rays of one case in one format | [`mod@measure`], and `scattered` where they are spread |
 //! | points that shadow themselves | [`acne`] |
 //! | panics and overflows | [`guard`] |
 //! | what comes out | [`table`] |
@@ -29,6 +29,7 @@ pub mod exact;
 pub mod guard;
 pub mod measure;
 pub mod outcome;
+mod scattered;
 pub mod table;
 pub mod triple;
 

@@ -23,8 +23,10 @@ mod pipes;
 mod refused;
 mod report;
 mod show;
+mod spread_report;
 mod spreading;
 mod textures;
+mod until;
 mod window;
 
 use folder::Folder;

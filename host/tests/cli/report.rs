@@ -15,7 +15,8 @@ const SCENE: &str = "\
 1 1 0   0 1 0   0.2 0.2 0.2   0.7 0.7 1   0.2 0.2 1
 ";
 
-fn report(folder: &Path, output: &str) -> Vec<Vec<String>> {
+/// Returns the rows of `report.csv` and of `spreading.csv`.
+fn report(folder: &Path, output: &str) -> [Vec<Vec<String>>; 2] {
     let mut rta = Command::new(env!("CARGO_BIN_EXE_rta"));
     rta.args(["report", "small.dat", "-o", output, "--size", "40x30"])
         .current_dir(folder)
@@ -26,8 +27,10 @@ fn report(folder: &Path, output: &str) -> Vec<Vec<String>> {
     for name in ["report.csv", "report.md", "small.png", "small.svg"] {
         assert!(fs::metadata(folder.join(name)).unwrap().len() > 1000, "{name}");
     }
-    let table = fs::read_to_string(folder.join("report.csv")).unwrap();
-    table.lines().map(|line| line.split(',').map(String::from).collect()).collect()
+    ["report.csv", "spreading.csv"].map(|name| {
+        let table = fs::read_to_string(folder.join(name)).unwrap();
+        table.lines().map(|line| line.split(',').map(String::from).collect()).collect()
+    })
 }
 
 fn has_valgrind() -> bool {
@@ -39,10 +42,13 @@ fn has_valgrind() -> bool {
 fn two_reports_differ_in_their_seconds_alone() {
     let folder = tempfile::tempdir().unwrap();
     fs::write(folder.path().join("small.dat"), SCENE).unwrap();
-    let (first, second) = (report(folder.path(), "a"), report(folder.path(), "b/c"));
+    let ([first, spread], [second, spread_again]) =
+        (report(folder.path(), "a"), report(folder.path(), "b/c"));
     assert_eq!(first.len(), 1 + 15 * 45);
+    // Two grids, sobol with points, four ways to cut, lamps at fixed places and at changing ones, as far as 256 shadow rays.
+    assert_eq!((spread.len(), spread_again.len()), (1 + 15 + 4 + 4 + 3 + 5 + 4 + 3, spread.len()));
     let lasting = |row: &Vec<String>| row[..row.len() - 1].to_vec();
-    for (first, second) in first.iter().zip(&second) {
+    for (first, second) in first.iter().zip(&second).chain(spread.iter().zip(&spread_again)) {
         assert_eq!(lasting(first), lasting(second));
     }
     let counted = first[0].iter().position(|name| name == "instructions").unwrap();

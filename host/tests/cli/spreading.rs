@@ -39,9 +39,11 @@ fn what_spreads_is_drawn_with_samples_that_spread_it() {
         hash(&folder, &["--lamps", "area"]),
         hash(&folder, &["--lamps", "area", "--split", "4"]),
         hash(&folder, &["--lamps", "fixed:4"]),
+        hash(&folder, &["--lamps", "cone"]),
         hash(&folder, &["--samples", "5"]),
         hash(&folder, &["--aa", "whitted"]),
         hash(&folder, &["--aa", "whitted:1"]),
+        hash(&folder, &["--aa", "mitchell"]),
     ];
     for (i, one) in all.iter().enumerate() {
         assert!(all[..i].iter().all(|other| digits(other) != digits(one)), "{one}");
@@ -53,7 +55,7 @@ fn what_spreads_is_drawn_with_samples_that_spread_it() {
 fn pictures_do_not_depend_on_the_threads() {
     let folder = Folder::new();
     folder.scene("lens.rta", LENS);
-    for options in [&["--lamps", "area", "--samples", "4"][..], &["--aa", "whitted"]] {
+    for options in [&["--lamps", "area", "--samples", "4"][..], &["--aa", "whitted"], &["--aa", "mitchell"]] {
         let picture = |threads, format| {
             let options = [options, &["--threads", threads, "--format", format]].concat();
             folder.renders(&[&["lens.rta", "-o", "out.png", "--size", "40x30"], &options[..]].concat());
@@ -92,6 +94,9 @@ fn options_that_contradict_each_other_are_refused() {
         (&["--focus", "0"], &["--focus", "above 0"]),
         (&["--aa", "whitted:5"], &["--aa", "whitted:K"]),
         (&["--aa", "whitted", "--samples", "4"], &["--aa", "--samples"]),
+        (&["--aa", "mitchell:2"], &["--aa", "mitchell"]),
+        (&["--aa", "mitchell", "--jitter", "4"], &["--aa", "--jitter"]),
+        (&["--aa", "mitchell", "--seed", "4"], &["--aa", "--seed"]),
     ] {
         folder.refuses(&[&["render", "scene.dat", "-o", "out.png"], options].concat(), words);
     }

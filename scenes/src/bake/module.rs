@@ -17,7 +17,8 @@ use crate::narrow::{Narrow, Narrowed};
 /// An item may not need all its names, and nobody reads its numbers.
 pub(super) const ALLOW: &str = "#[allow(dead_code, unused_imports, clippy::unreadable_literal, clippy::default_constructed_unit_structs, unreachable_pub)]";
 
-/// Writes the whole module.
+/// Writes number format, needs, scene and eye; returns the lists for which `is_moving`, which are items of their own, as something copies
+/// them.
 pub(super) fn write<S: Literal>(
     out: &mut impl Write,
     name: &str,
@@ -25,7 +26,8 @@ pub(super) fn write<S: Literal>(
     limits: Limits<S>,
     used: Used,
     recipe: &Recipe,
-) -> fmt::Result {
+    is_moving: impl Fn(&str) -> bool,
+) -> Result<Vec<List>, fmt::Error> {
     let (format, aspect) = (<S as Narrow>::NAME, recipe.aspect);
     let model = recipe.model;
     let name = name.replace(['\n', '\r'], " ");
@@ -36,11 +38,23 @@ pub(super) fn write<S: Literal>(
     )?;
     writeln!(out, "/// The number format: {format}.\npub type Number = {};\n", S::PATH)?;
     write_needs(out, used)?;
+    let (moving, still) = lists(scene).into_iter().partition::<Vec<_>, _>(|list| is_moving(list.name));
+    for List { name, path, objects } in &moving {
+        writeln!(out, "\n/// A list in which something moves.\n{ALLOW}")?;
+        writeln!(out, "static {name}: [::rta_core::{path}<Number>; {}] = {{", objects.len())?;
+        write_names(out, S::CONSTRUCTORS)?;
+        writeln!(out, "    [")?;
+        write_objects(out, path, objects)?;
+        writeln!(out, "    ]\n}};")?;
+    }
     writeln!(out, "\n/// The scene.\n{ALLOW}")?;
     let accelerator = accelerator(hierarchy);
     writeln!(out, "pub const SCENE: ::rta_core::range::Admitted<'static, Number, {accelerator}> = {{")?;
     write_names(out, S::CONSTRUCTORS)?;
-    write_lists(out, scene)?;
+    for List { name, path, objects } in &still {
+        write_list(out, name, path, objects)?;
+    }
+    write_surfaces(out, scene)?;
     if hierarchy.bvh().is_some() {
         write_hierarchy(out, hierarchy)?;
     }
@@ -92,7 +106,8 @@ pub(super) fn write<S: Literal>(
         direction::<S>(camera.forward),
         direction::<S>(camera.right),
         direction::<S>(camera.up)
-    )
+    )?;
+    Ok(moving)
 }
 
 /// Returns the type of the accelerator.
@@ -131,13 +146,26 @@ pub(super) fn write_names(out: &mut impl Write, constructors: &str) -> fmt::Resu
 /// compiler wherever it is used.
 fn write_list(out: &mut impl Write, name: &str, path: &str, objects: &[String]) -> fmt::Result {
     writeln!(out, "    static {name}: [::rta_core::{path}<Number>; {}] = [", objects.len())?;
-    for object in objects {
-        writeln!(out, "        ::rta_core::{path} {{ {object} }},")?;
-    }
+    write_objects(out, path, objects)?;
     writeln!(out, "    ];")
 }
 
-fn write_lists<S: Literal>(out: &mut impl Write, scene: &Narrowed<S>) -> fmt::Result {
+fn write_objects(out: &mut impl Write, path: &str, objects: &[String]) -> fmt::Result {
+    objects.iter().try_for_each(|object| writeln!(out, "        ::rta_core::{path} {{ {object} }},"))
+}
+
+/// A list of a scene.
+pub(super) struct List {
+    /// The name of its static.
+    pub(super) name: &'static str,
+    /// The path of its type in the core.
+    pub(super) path: &'static str,
+    /// The fields of each object.
+    pub(super) objects: Vec<String>,
+}
+
+/// Returns the lists of a scene in which something may move.
+fn lists<S: Literal>(scene: &Narrowed<S>) -> [List; 7] {
     let cylinders = scene.cylinders.iter().map(|c| {
         format!(
             "center: {}, radius: {}, inverse_radius: {}, color: {}, material: {}",
@@ -219,12 +247,19 @@ fn write_lists<S: Literal>(out: &mut impl Write, scene: &Narrowed<S>) -> fmt::Re
             l.fall_off
         )
     });
-    write_list(out, "CYLINDERS", "shape::Cylinder", &cylinders.collect::<Vec<_>>())?;
-    write_list(out, "ELLIPSOIDS", "shape::Ellipsoid", &ellipsoids.collect::<Vec<_>>())?;
-    write_list(out, "SPHERES", "shape::Sphere", &spheres.collect::<Vec<_>>())?;
-    write_list(out, "CONES", "shape::Cone", &cones.collect::<Vec<_>>())?;
-    write_list(out, "TRIANGLES", "shape::Triangle", &triangles.collect::<Vec<_>>())?;
-    write_list(out, "PLANES", "shape::Plane", &planes.collect::<Vec<_>>())?;
+    let list = |name, path, objects| List { name, path, objects };
+    [
+        list("CYLINDERS", "shape::Cylinder", cylinders.collect()),
+        list("ELLIPSOIDS", "shape::Ellipsoid", ellipsoids.collect()),
+        list("SPHERES", "shape::Sphere", spheres.collect()),
+        list("CONES", "shape::Cone", cones.collect()),
+        list("TRIANGLES", "shape::Triangle", triangles.collect()),
+        list("PLANES", "shape::Plane", planes.collect()),
+        list("LAMPS", "light::Lamp", lamps.collect()),
+    ]
+}
+
+fn write_surfaces<S: Literal>(out: &mut impl Write, scene: &Narrowed<S>) -> fmt::Result {
     let materials = scene.materials.iter().map(material).collect::<Vec<_>>();
     writeln!(
         out,
@@ -232,8 +267,7 @@ fn write_lists<S: Literal>(out: &mut impl Write, scene: &Narrowed<S>) -> fmt::Re
         materials.len(),
         materials.join(", ")
     )?;
-    coats::write(out, scene)?;
-    write_list(out, "LAMPS", "light::Lamp", &lamps.collect::<Vec<_>>())
+    coats::write(out, scene)
 }
 
 fn write_hierarchy<S: Literal>(out: &mut impl Write, hierarchy: &Built<S>) -> fmt::Result {

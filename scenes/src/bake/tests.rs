@@ -6,11 +6,26 @@ use rta_core::needs::Used;
 
 use super::{BakeError, Format, Model, Recipe, module};
 use crate::description::{Description, FallOff};
+use crate::sampler::{Lamps, Spreading};
 use crate::{dat, shipped};
 
-/// What a scene without coats and wavelengths leaves out.
-const UNCOVERED: [&str; 9] =
-    ["COATS", "CHECKER", "MARBLE", "WOOD", "IMAGES", "BUMPS", "SURROUNDINGS", "MESHES", "SKY_MAP"];
+/// What a scene without coats, and of which no rays are spread, leaves out.
+const UNCOVERED: [&str; 14] = [
+    "COATS",
+    "CHECKER",
+    "MARBLE",
+    "WOOD",
+    "IMAGES",
+    "BUMPS",
+    "SURROUNDINGS",
+    "MESHES",
+    "SKY_MAP",
+    "AREA_LAMPS",
+    "SQUARE_LAMPS",
+    "CONE_LAMPS",
+    "LENS",
+    "GLOSS",
+];
 
 fn read(text: &str) -> Description {
     dat::read(text.as_bytes(), "scene.dat").expect("a scene")
@@ -171,4 +186,60 @@ fn a_name_stays_in_its_comment() {
         module(&read(shipped::GLASS_2), "a\nstatic\r*/ \"", &Recipe::new(Format::Q16)).expect("it fits");
     assert!(source.starts_with("// a static */ \" in q16 "));
     assert!(source.lines().nth(1).is_some_and(|line| line.starts_with("// ")));
+}
+
+/// A ball under two lamps, seen by a pinhole: nothing in it spreads rays by itself.
+const STILL: &str = "rta 1
+camera at 0 -8 2  to 0 0 1  lens 1.2
+lamp at -5 -6 8  radius 1  power 75  square
+lamp corner 1 -2 4  edges 1 0 0  0 1 0  power 9  square
+";
+
+#[test]
+fn what_spreads_rays_is_needed_where_it_does() {
+    let still = STILL.to_owned() + "sphere at 0 0 1  radius 1  of mirror\nsphere at 0 2 1  radius 1\n";
+    let lens = still.replace("lens 1.2", "lens 1.2  aperture .5");
+    let rough =
+        still.clone() + "material dull like mirror  roughness .2\nsphere at 3 0 1  radius 1  of dull\n";
+    let ball = still.lines().filter(|line| !line.contains("corner")).collect::<Vec<_>>().join("\n");
+    let moving = still.clone() + "sphere at 3 0 1  radius 1  moves 1 0 0\n";
+    let spread = |text: &str, lamps, form: Format| {
+        let scene = crate::read(text.as_bytes(), "scene.rta").expect("a scene");
+        let spreading = Spreading::of(&scene, lamps, 4);
+        let source = source(&scene, &Recipe { spreading, ..Recipe::new(form) });
+        let own = &UNCOVERED[9..];
+        let needs = needs(&source, true).into_iter().filter(|need| own.contains(need)).collect::<Vec<_>>();
+        let items = ["= None;", "MOTIONS: [::rta_core::trace::moving::Motion<Number>; 0]"];
+        (needs.join(" "), items.map(|item| source.contains(item)))
+    };
+    for format in [Format::F32, Format::Q16] {
+        for (text, lamps, needed, items) in [
+            (&still, Lamps::Point, "", [true, true]),
+            (&lens, Lamps::Point, "LENS", [false, true]),
+            (&lens, Lamps::Area, "AREA_LAMPS SQUARE_LAMPS LENS", [false, true]),
+            (&ball, Lamps::Area, "AREA_LAMPS", [false, true]),
+            (&ball, Lamps::Cone, "AREA_LAMPS CONE_LAMPS", [false, true]),
+            (&rough, Lamps::Point, "GLOSS", [false, true]),
+            (&moving, Lamps::Point, "", [false, false]),
+        ] {
+            assert_eq!(spread(text, lamps, format), (needed.to_owned(), items), "{text}");
+        }
+    }
+}
+
+#[test]
+fn the_range_is_proved_from_all_of_the_lens_and_as_long_as_the_shutter_is_open() {
+    let text = |optics: &str, moves: &str| {
+        format!("rta 1\ncamera at 0 0 0  look 0 1 0  lens 1{optics}\nsphere at 0 9000 0  radius 1{moves}\n")
+    };
+    let bake = |text: &str| {
+        let scene = crate::read(text.as_bytes(), "scene.rta").expect("a scene");
+        module(&scene, "scene", &Recipe::of(Format::Q16, &scene))
+    };
+    assert!(bake(&text("", "")).is_ok());
+    assert!(bake(&text("  aperture 2  focus 9", "  moves 0 9 0")).is_ok());
+    for text in [text("  aperture 44000  focus 9000000", ""), text("", "  moves 0 30000 0")] {
+        let error = bake(&text).expect_err("too wide");
+        assert!(matches!(error, BakeError::Range(_) | BakeError::Narrow(_)), "{error:?}");
+    }
 }

@@ -199,6 +199,23 @@ impl Description {
         Some(self.shutter().map(|time| moves.map(|c| c * time)))
     }
 
+    /// Returns the places of an object that move with it: its centre, the ends of its axis, or its corners.
+    pub(crate) fn places(&self, object: Object) -> Vec<Triple> {
+        let place = |number: u32| usize::try_from(number).unwrap_or(usize::MAX);
+        match object {
+            Object::Ellipsoid(i) => self.ellipsoids.get(place(i)).map(|own| vec![own.position]),
+            Object::Sphere(i) => self.spheres.get(place(i)).map(|own| vec![own.position]),
+            Object::Cylinder(i) => {
+                self.cylinders.get(place(i)).map(|own| vec![[own.position[0], own.position[1], 0.0]])
+            }
+            Object::Plane(i) => self.planes.get(place(i)).map(|own| vec![own.point]),
+            Object::Cone(i) => self.cones.get(place(i)).map(|own| vec![own.base, own.apex]),
+            Object::Triangle(i) => self.triangles.get(place(i)).map(|own| own.vertices.to_vec()),
+            _ => None,
+        }
+        .unwrap_or_default()
+    }
+
     /// Moves an object.
     fn shift(&mut self, object: Object, by: Triple) {
         let place = |number: u32| usize::try_from(number).unwrap_or(usize::MAX);

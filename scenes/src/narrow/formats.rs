@@ -1,11 +1,13 @@
 //! The number formats and their limits.
 
 use fixed::types::{I2F30, I16F16};
+use rta_core::accelerator::Lists;
 use rta_core::scalar::{Light, Magnitude, Radiance};
 use rta_core::scene::Limits;
 use rta_core::{Error, Q16, Q20, Scalar};
 
-use super::{Narrow, NarrowError, Narrowed, brought, proved};
+use super::moving::proved;
+use super::{Narrow, NarrowError, Narrowed, brought};
 use crate::description::Description;
 
 /// An intensity as 32 bits and an exponent, rounded to the nearest.
@@ -42,7 +44,7 @@ macro_rules! compiled_here {
         }
         #[inline(never)]
         fn limits(scene: &Narrowed<Self>) -> Result<Limits<Self>, Error> {
-            proved(scene)
+            proved(scene, Lists)
         }
     };
 }

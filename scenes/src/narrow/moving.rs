@@ -1,7 +1,9 @@
 //! What moves while the shutter is open, in one number format.
 
+use rta_core::Error;
+use rta_core::accelerator::Accelerator;
 use rta_core::light::Lamp;
-use rta_core::scene::{Copies, Object, Scene};
+use rta_core::scene::{Copies, Limits, Object, Scene};
 use rta_core::shape::{Cone, Cylinder, Ellipsoid, Plane, Sphere, Triangle};
 use rta_core::trace::moving::{Motion, Room};
 
@@ -15,12 +17,41 @@ pub(super) fn motions<S: Narrow>(description: &Description) -> Result<Vec<Motion
         |(&object, detail): (&Object, &crate::description::Detail)| detail.moves.map(|by| (object, by));
     let moving = description.details.objects.iter().filter_map(moves);
     let check = Checker::<S>::named("the motion of an object");
-    moving.map(|(object, by)| Ok(Motion { object, by: check.place(by, 0.0)? })).collect()
+    let one = |(object, by): (Object, [f64; 3])| {
+        let motion = Motion { object, by: check.place(by, 0.0)? };
+        // Where it is when the shutter opens and when it closes.
+        for place in description.places(object) {
+            for half in [-0.5, 0.5] {
+                let mut end = place;
+                end.iter_mut().zip(by).for_each(|(c, by)| *c += half * by);
+                check.place(end, 0.0)?;
+            }
+        }
+        Ok(motion)
+    };
+    moving.map(one).collect()
+}
+
+/// Proves that a scene, searched by an accelerator, fits its format: from all of its lens, and as long as the shutter is open.
+pub(crate) fn proved<S: Narrow, A: Accelerator<S> + Copy>(
+    scene: &Narrowed<S>,
+    accelerator: A,
+) -> Result<Limits<S>, Error> {
+    let one = |scene: &Narrowed<S>| {
+        let (own, camera) = (scene.scene(), &scene.camera);
+        let admitted = match &scene.spreads.aperture {
+            Some(aperture) => own.admit_lens((camera, aperture), accelerator),
+            None => own.admit_with(camera, accelerator),
+        };
+        Ok(admitted?.limits)
+    };
+    // What holds when the shutter opens and when it closes does so in between, as everything moves along straight lines.
+    scene.ends().iter().map(one).try_fold(one(scene)?, |all, end| Ok(all.with(&end?)))
 }
 
 impl<S: Narrow> Narrowed<S> {
     /// Returns the scene as it is when the shutter opens and when it closes; nothing where nothing moves.
-    pub(super) fn ends(&self) -> Vec<Self> {
+    fn ends(&self) -> Vec<Self> {
         if self.spreads.motions.is_empty() {
             return Vec::new();
         }

@@ -22,6 +22,8 @@ pub struct Spreads<S: Narrow> {
     pub aperture: Option<Aperture<S>>,
     /// Roughness of the materials, in their order as far as any is rough.
     pub roughness: Vec<S::Unit>,
+    /// The bodies of the triangles, by a number for each, equal for faces of one body.
+    pub bodies: Vec<u32>,
     /// What moves while the shutter is open.
     pub motions: Vec<Motion<S>>,
 }
@@ -35,6 +37,7 @@ impl<S: Narrow> Spreads<S> {
             squares: &self.squares,
             aperture: self.aperture,
             roughness: &self.roughness,
+            bodies: &self.bodies,
         }
     }
 
@@ -57,9 +60,25 @@ impl<S: Narrow> Spreads<S> {
             squares,
             aperture: aperture(description, camera)?,
             roughness,
+            bodies: bodies(description),
             motions: motions(description)?,
         })
     }
+}
+
+/// Returns a number for each triangle, the same for those that one statement of the scene's file made: the faces of a polygon or of a mesh.
+fn bodies(description: &Description) -> Vec<u32> {
+    let mut number = 0;
+    let triangles = &description.triangles;
+    let mut before = None;
+    let each = triangles.iter().map(|triangle| {
+        if before.is_some_and(|line| line != triangle.line || line == 0) {
+            number += 1;
+        }
+        before = Some(triangle.line);
+        number
+    });
+    each.collect()
 }
 
 fn square<S: Narrow>(

@@ -51,6 +51,7 @@ mod scenes {
                 arms,
                 "        {pattern} => {{\n            use scene_{number}::*;\n            \
                  const {{ assert!(WEIGHTS.is_empty(), \"a scene of several wavelengths\") }}\n            \
+                 const {{ assert!(SAMPLES.is_none(), \"a scene whose rays are spread\") }}\n            \
                  let [model, ..] = models();\n            \
                  paint(Needs, &SCENE, model, &CAMERA, target)\n        }}"
             )?;

@@ -5,6 +5,8 @@
 //! | `RTA_SCENE` | the scene file | the Juggler |
 //! | `RTA_MODEL` | the illumination model, by its name | the scene's own |
 //! | `RTA_FORMAT` | `q16`, `q20` or `f32` | `q16` |
+//! | `RTA_LAMPS` | `point`; `area`: places on lamps with a size, so that shadows have soft edges | `point` |
+//! | `RTA_SAMPLES` | samples of a pixel, a power of two | where something spreads rays, what the scene says, or 4 |
 //! | `RTA_NEEDS` | `baked`: only what the scene needs; `everything` | `baked` |
 //! | `RTA_COLORS` | `standard`: the board's own colour table; `sampled`: a palette made for the picture; `dithered`: that, with error diffusion | `standard` |
 //! | `RTA_SIZE` | width and height in pixels | `160x100` |
@@ -14,7 +16,8 @@ use std::error::Error;
 use std::fs;
 use std::path::PathBuf;
 
-use rta_scenes::bake::{Format, Model, Recipe, bake, bake_with};
+use rta_scenes::bake::{Format, Model, Recipe, SAMPLES, bake_by};
+use rta_scenes::sampler::{Lamps, Sobol, Spreading};
 
 fn main() -> Result<(), Box<dyn Error>> {
     let variable = |name: &str, default: &str| {
@@ -29,14 +32,29 @@ fn main() -> Result<(), Box<dyn Error>> {
         other => return Err(format!("RTA_FORMAT is q16, q20 or f32, not {other}").into()),
     };
     let file = variable("RTA_SCENE", juggler);
-    let scene = match variable("RTA_MODEL", "").as_str() {
-        "" => bake(file, format)?,
+    let model = match variable("RTA_MODEL", "").as_str() {
+        "" => None,
         name => {
             let model = Model::ALL.iter().copied().find(|model| model.name() == name);
-            let model = model.ok_or_else(|| format!("RTA_MODEL is an illumination model, not {name}"))?;
-            bake_with(file, &Recipe { model, ..Recipe::new(format) })?
+            Some(model.ok_or_else(|| format!("RTA_MODEL is an illumination model, not {name}"))?)
         }
     };
+    let lamps = match variable("RTA_LAMPS", "point").as_str() {
+        "point" => Lamps::Point,
+        "area" => Lamps::Area,
+        other => return Err(format!("RTA_LAMPS is point or area, not {other}").into()),
+    };
+    let samples = match variable("RTA_SAMPLES", "").as_str() {
+        "" => None,
+        number => Some(Sobol::new(number.parse()?, 0).ok_or("RTA_SAMPLES is a number from 1 to 16384")?),
+    };
+    let scene = bake_by(file, |scene| {
+        let recipe = Recipe::of(format, scene);
+        let model = model.unwrap_or(recipe.model);
+        let natural = Spreading::of(scene, lamps, SAMPLES);
+        let spreading = samples.map_or(natural, |samples| Some(Spreading { samples, lamps, split: 1 }));
+        Recipe { model, spreading, ..recipe }
+    })?;
     let (needs, baked) = match variable("RTA_NEEDS", "baked").as_str() {
         "baked" => ("scene::Needs", true),
         "everything" => ("rta_core::needs::Everything", false),

@@ -17,7 +17,8 @@ use rta_drivers::painter::Painter;
 use rta_drivers::quantize::{Adaptive, ColorTable, Uniform};
 use rta_drivers::ssd0323::Ssd0323;
 use rta_drivers::ssd0323::emulated::{MEMORY_SIZE, Oled};
-use rta_scenes::bake::TEXELS;
+use rta_scenes::bake::{self, TEXELS};
+use rta_scenes::sampler::{Sampler, Spreading};
 
 use super::Failure;
 use super::board::Output;
@@ -83,7 +84,9 @@ fn engine(picture: &Picture, (width, height): (u32, u32)) -> Result<Engine, Fail
     scene.load_pictures(picture.file.parent().unwrap_or_else(|| Path::new("")), TEXELS)?;
     let format: Format = picture.format;
     let model = picture.model.unwrap_or(scene.model);
-    Ok(Engine::new(&scene, &Settings { width, height, format, model, ..Settings::default() })?)
+    let sampling =
+        Spreading::of(&scene, picture.lamps, bake::SAMPLES).map_or(Sampler::CENTER, Sampler::Sobol);
+    Ok(Engine::new(&scene, &Settings { width, height, format, model, sampling, ..Settings::default() })?)
 }
 
 /// Draws a picture of the engine's on a display of 256 colours, with `table` unless a palette is made for it.

@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use rta::engine::Format;
 use rta_scenes::bake::Model;
+use rta_scenes::sampler::Lamps;
 
 use super::board::{Board, Output};
 
@@ -41,6 +42,8 @@ pub struct Picture {
     pub model: Option<Model>,
     /// The number format.
     pub format: Format,
+    /// How lamps with a size are asked for their light: [`Lamps::Point`] or [`Lamps::Area`].
+    pub lamps: Lamps,
     /// Whether the program holds only what this scene needs, or all that any scene may need.
     pub baked: bool,
     /// How its colours are chosen.
@@ -60,6 +63,8 @@ impl Picture {
             let is_drawn = matches!(board.name, "microbit" | "sparc" | "wasm") && BRIEF.contains(&model);
             let is_own = match self.scene {
                 scene if scene == MODELS.0 => false,
+                // On each processor.
+                scene if scene == SPREAD.0 => !matches!(board.name, "lm3s6965evb-oled" | "pc-floppy"),
                 scene if OF_SURFACES.iter().any(|(own, _)| *own == scene) => {
                     matches!(board.name, "microbit" | "sparc" | "wasm")
                 }
@@ -147,6 +152,12 @@ pub const HAZE: (&str, &str) = ("haze", "../../scenes/haze.rta");
 const OF_SURFACES: [(&str, &str); 2] =
     [("surfaces", "../scenes/surfaces.rta"), ("wavelengths", "../scenes/wavelengths.rta")];
 
+/// A scene with everything that spreads rays, which every board draws in both fixed-point formats with 4 samples a pixel.
+const SPREAD: (&str, &str) = ("spread", "scenes/spread.rta");
+
+/// Its raster.
+const OF_SPREAD: (u32, u32) = (40, 30);
+
 /// The scenes that are drawn: name, and file relative to the folder of the boards.
 const SCENES: [(&str, &str); 4] = [
     ("opaque", "scenes/opaque.dat"),
@@ -195,8 +206,16 @@ impl Board {
                     Output::Semihosting | Output::Module => STREAMED,
                 };
                 let file = super::folder().join(file);
-                let picture =
-                    Picture { scene, file, model: None, format, baked: true, colors: Colors::Standard, size };
+                let picture = Picture {
+                    scene,
+                    file,
+                    model: None,
+                    format,
+                    lamps: Lamps::Point,
+                    baked: true,
+                    colors: Colors::Standard,
+                    size,
+                };
                 pictures.push(picture.clone());
                 if everything {
                     pictures.push(Picture { baked: false, ..picture.clone() });
@@ -226,12 +245,16 @@ impl Board {
             file: super::folder().join(file),
             model: Some(model),
             format: Format::Q16,
+            lamps: Lamps::Point,
             baked: true,
             colors: Colors::Standard,
             size,
         };
         let mut pictures: Vec<_> = Model::ALL.iter().map(|&model| picture(MODELS, model)).collect();
         pictures.extend(OF_SURFACES.map(|scene| picture(scene, Model::Whitted)));
+        let size = if matches!(self.output, Output::Panel { .. }) { size } else { OF_SPREAD };
+        let spread = Picture { lamps: Lamps::Area, size, ..picture(SPREAD, Model::Whitted) };
+        pictures.extend([Format::Q16, Format::Q20].map(|format| Picture { format, ..spread.clone() }));
         if self.name == "microbit" {
             let measured = [Model::Whitted].into_iter().chain(LIMITS.map(|(model, _)| model));
             let measured = measured.flat_map(|model| MEASURED.map(|scene| picture(scene, model)));

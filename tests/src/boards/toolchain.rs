@@ -4,6 +4,8 @@ use std::env;
 use std::path::PathBuf;
 use std::process::Command;
 
+use rta_scenes::sampler::Lamps;
+
 use super::board::Board;
 use super::picture::Picture;
 use super::{Failure, folder};
@@ -100,6 +102,7 @@ impl Toolchain {
             Some(scenes) => cargo.env("RTA_SCENES", scenes),
             None => cargo.env_remove("RTA_SCENES"),
         };
+        cargo.env_remove("RTA_SAMPLES");
         let (width, height) = picture.size;
         cargo
             .current_dir(&package)
@@ -107,6 +110,7 @@ impl Toolchain {
             .env("RTA_SCENE", &picture.file)
             .env("RTA_MODEL", picture.model.map_or("", |model| model.name()))
             .env("RTA_FORMAT", picture.format.to_string())
+            .env("RTA_LAMPS", if picture.lamps == Lamps::Point { "point" } else { "area" })
             .env("RTA_NEEDS", if picture.baked { "baked" } else { "everything" })
             .env("RTA_COLORS", picture.colors.name())
             .env("RTA_SIZE", format!("{width}x{height}"));

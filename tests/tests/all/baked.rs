@@ -10,7 +10,7 @@ use rta_core::color::Rgb;
 use rta_core::illumination::{Illumination, Phong, Rta, Whitted};
 use rta_core::needs::{Needs, Used};
 use rta_core::range::Admitted;
-use rta_core::raster::{Pixels, Raster};
+use rta_core::raster::{Center, Pixels, Places, Raster};
 use rta_core::trace::{Spectrum, Trace, Tracer};
 use rta_scenes::accelerator::bvh;
 use rta_scenes::bake;
@@ -19,10 +19,10 @@ use rta_scenes::narrow::{Narrow, narrow};
 use rta_scenes::used;
 
 /// Recursion depth.
-const DEPTH: u32 = 5;
+pub(super) const DEPTH: u32 = 5;
 
 /// Capacity of the stack of pending rays: no more than a firmware would reserve for this depth.
-const STACK: usize = 5;
+pub(super) const STACK: usize = 5;
 
 /// Makes a module with two tests of each baked scene from its name, scene file, number format and illumination model.
 macro_rules! baked {
@@ -130,7 +130,7 @@ pub(super) fn draw<S: Narrow, M: Illumination<S>, N: Needs>(
 ) -> Picture {
     let tracer: Tracer<_, _, N, STACK, _> =
         Tracer::new(scene, model, SMALL.depth).expect("the stack is deep enough");
-    picture(&tracer, camera)
+    picture(&tracer, camera, Center)
 }
 
 /// Draws a scene as a program does that may have several wavelengths: with the model at each of them, their weights, the scenes at all but
@@ -147,14 +147,14 @@ pub(super) fn draw_spectrum<S: Narrow, M: Illumination<S> + Copy, A: Accelerator
     let further: Vec<_> = scenes.iter().zip(models).map(tracer).collect();
     let first = tracer((scene, &model));
     if weights.is_empty() {
-        return picture(&first, camera);
+        return picture(&first, camera, Center);
     }
-    picture(&Spectrum { weights, first, further: &further, dispersive }, camera)
+    picture(&Spectrum { weights, first, further: &further, dispersive }, camera, Center)
 }
 
-fn picture<S: Narrow>(tracer: &impl Trace<S>, camera: &Camera<S>) -> Picture {
+pub(super) fn picture<S: Narrow>(tracer: &impl Trace<S>, camera: &Camera<S>, places: impl Places) -> Picture {
     let raster = Raster::new(SMALL.width, SMALL.height).expect("a raster");
-    let light: Vec<_> = Pixels::new(tracer, camera, raster).collect();
+    let light: Vec<_> = Pixels::sampled(tracer, camera, raster, places, 0, raster.height()).collect();
     // Fixed point below 256 is exact in f32, and f64 is rounded as by the engine.
     #[allow(clippy::cast_possible_truncation, reason = "to the nearest")]
     let single = |light| S::light_to_f64(light) as f32;

@@ -44,6 +44,7 @@ mod single_rays;
 mod solid_cases;
 mod solids;
 mod spectral;
+mod spread;
 mod stability;
 mod stack;
 mod thin;

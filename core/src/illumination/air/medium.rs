@@ -7,13 +7,15 @@ use crate::illumination::fade::{Phase, Sight};
 use crate::illumination::{Passage, Way};
 use crate::light::Lamp;
 use crate::needs::Needs;
+use crate::ray::RayKind;
 use crate::scalar::vector::{LengthVector, UnitVector, Vec3};
 use crate::scalar::{Light, Magnitude, Positive, Scalar, Unit};
 
 /// A medium that fills the scene evenly: [`Fog`], and the light of the lamps that it scatters into each ray, once. It takes light on
 /// its way from a lamp that fades with the distance too, not from one that is constant.
 ///
-/// Light is taken at places along the ray, for each lamp; with shadows, a shadow ray goes from each of them.
+/// Light is taken at places along the ray, for each lamp; with shadows, a shadow ray goes from each of them where the ray comes from the eye.
+/// Reflected and transmitted rays, whose light is a part only of what is seen, do without.
 #[derive(Clone, Copy, Debug)]
 pub struct Medium<S: Scalar> {
     /// What it takes from a ray, and the ambient light that it scatters.
@@ -24,7 +26,7 @@ pub struct Medium<S: Scalar> {
     pub phase: Phase<S::Unit>,
     /// The number of places along a ray is `2^halvings`, at least 16.
     pub halvings: u8,
-    /// Whether things cast shadows into it.
+    /// Whether things cast shadows into it that the eye sees.
     pub shadows: bool,
     /// Whether lamps that do not say it themselves become less with the distance: the model's
     /// [`ATTENUATION`](crate::illumination::Illumination::ATTENUATION).
@@ -53,13 +55,14 @@ impl<S: Scalar> Air<S> for Medium<S> {
         if self.albedo <= S::Unit::ZERO || length <= S::ZERO {
             return Some(passage);
         }
+        let has_shadows = self.shadows && way.kind == RayKind::Primary;
         let lamps = way.lamps.iter().enumerate();
         let veil = lamps.fold(passage.veil, |veil, (number, lamp)| {
             // The part of the lamp's light that arrives at a place and is scattered into the ray, by the cosine of the angle between the
             // ray and the direction to the lamp.
             let mut part = |place: Vec3<S>, cosine: S::Unit| {
                 let scattered = self.phase.scattered(cosine);
-                if self.shadows { scattered.times(lit(place, number).positive()) } else { scattered }
+                if has_shadows { scattered.times(lit(place, number).positive()) } else { scattered }
             };
             let beam = if lamp.fall_off.fades(self.fades) {
                 self.near(way, length, lamp, &mut part)
@@ -150,3 +153,7 @@ impl<S: Scalar> Medium<S> {
         sum.map(|sum| sum.times(quarter))
     }
 }
+
+#[cfg(test)]
+#[cfg(feature = "f64")]
+mod tests;

@@ -3,50 +3,10 @@
 use super::{Glimpse, Square};
 use crate::light::Lamp;
 use crate::sampling::pairs::{Pairs, Purpose};
-use crate::scalar::vector::{LengthVector, UnitVec3, UnitVector, Vec3, Vector};
-use crate::scalar::{Scalar, Unit};
+use crate::scalar::Unit;
+use crate::scalar::read::{Read, direction, place};
+use crate::scalar::vector::{LengthVector, UnitVec3, UnitVector};
 use crate::{Q16, Q20};
-
-/// A number format whose numbers are read as floats.
-trait Read: Scalar {
-    fn length(value: f64) -> Self;
-    fn unit(value: f64) -> Self::Unit;
-    fn read(unit: Self::Unit) -> f64;
-    fn far(length: Self) -> f64;
-}
-
-macro_rules! read {
-    ($($f:ty, $from:expr, $unit:expr, $read:expr, $far:expr;)*) => {
-        $(impl Read for $f {
-            fn length(value: f64) -> Self { $from(value) }
-            fn unit(value: f64) -> Self::Unit { $unit(value) }
-            fn read(unit: Self::Unit) -> f64 { $read(unit) }
-            fn far(length: Self) -> f64 { $far(length) }
-        })*
-    };
-}
-
-type Fixed = <Q16 as Scalar>::Unit;
-
-#[allow(clippy::cast_possible_truncation, reason = "to the nearest")]
-fn single(value: f64) -> f32 {
-    value as f32
-}
-
-read! {
-    f64, |value| value, |value| value, |unit| unit, |length| length;
-    f32, single, single, f64::from, f64::from;
-    Q16, Q16::from_num, Fixed::from_num, |unit: Fixed| unit.to_num(), |length: Q16| length.to_num();
-    Q20, Q20::from_num, Fixed::from_num, |unit: Fixed| unit.to_num(), |length: Q20| length.to_num();
-}
-
-fn place<S: Read>([x, y, z]: [f64; 3]) -> Vec3<S> {
-    Vec3::<S>::new(S::length(x), S::length(y), S::length(z))
-}
-
-fn direction<S: Read>([x, y, z]: [f64; 3]) -> UnitVec3<S> {
-    UnitVec3::<S>::new(S::unit(x), S::unit(y), S::unit(z))
-}
 
 /// Returns the mean over 32 seeds and its standard error of `value`, a mean over 64 pairs.
 fn statistics<U: Unit>(value: impl Fn([U; 2]) -> f64) -> [f64; 2] {

@@ -1,71 +1,24 @@
 //! Edges through a pixel, against the exact part of it that they cover.
 
-use super::{Corners, Cutting};
-use crate::camera::{Camera, Lens};
+use heapless::Vec;
+
+use super::{Corners, Cutting, Force, Keep, Packed};
 use crate::color::Rgb;
 use crate::raster::Raster;
-use crate::sampling::pairs::Pairs;
-use crate::scalar::vector::{UnitVec3, Vec3, Vector};
-use crate::trace::{Observer, Trace};
-
-/// White on one side of a line of the image plane, black on the other.
-struct Edge {
-    normal: [f64; 2],
-    distance: f64,
-}
-
-impl Trace<f64> for Edge {
-    type Memory = ();
-
-    fn trace<O: Observer<f64> + ?Sized>(
-        &self,
-        _origin: Vec3<f64>,
-        direction: UnitVec3<f64>,
-        (): &mut (),
-        _observer: &mut O,
-    ) -> Rgb<f64> {
-        let [right, up] = [direction.x() / direction.y(), direction.z() / direction.y()];
-        let light = if right * self.normal[0] + up * self.normal[1] < self.distance { 1.0 } else { 0.0 };
-        Rgb::new(light, light, light)
-    }
-}
-
-/// The part of the unit square about 0 where `n.x < d`.
-fn cover([a, b]: [f64; 2], d: f64) -> f64 {
-    let (a, b) = (a.abs(), b.abs());
-    let square = |t: f64| if t > 0.0 { t * t } else { 0.0 };
-    let d = d + f64::midpoint(a, b);
-    (square(d) - square(d - a) - square(d - b) + square(d - a - b)) / (2.0 * a * b)
-}
-
-fn camera() -> Camera<f64> {
-    let lens = Lens { focal: 1.0, width: 1.0, height: 1.0 };
-    Camera::new(Vec3::<f64>::new(0.0, 0.0, 0.0), UnitVec3::<f64>::new(0.0, 1.0, 0.0), lens)
-}
+use crate::raster::edge::{Edge, camera, random_edges};
 
 /// Returns rms error, mean error and mean number of rays of 20000 random edges through a picture of one pixel.
 fn measured<const PLACES: usize>(depth: u8) -> [f64; 3] {
     let (camera, raster) = (camera(), Raster::new(1, 1).expect("a pixel"));
     let cutting = Cutting::new(depth, 16).expect("not deep");
     let (mut n, mut sums) = (0.0, [0.0; 3]);
-    for i in 0..40_000 {
-        let [angle, distance] = Pairs::new(0, 0, 0, 3).units::<f64>(i);
-        let angle = angle * core::f64::consts::TAU;
-        let (sine, cosine) = (libm::sin(angle), libm::cos(angle));
-        let edge = Edge {
-            normal: [cosine, sine],
-            distance: (2.0 * distance - 1.0) * core::f64::consts::FRAC_1_SQRT_2,
-        };
-        // One that misses the pixel is no edge.
-        if edge.distance.abs() >= f64::midpoint(cosine.abs(), sine.abs()) {
-            continue;
-        }
+    for (edge, cover) in random_edges() {
         let mut above = [Rgb::BLACK; 2];
         let rows = Corners::<_, _, PLACES>::new(&edge, (&camera, raster), cutting, &mut above, 0);
         let mut rows = rows.expect("room");
         let mut light = 0.0;
         assert!(rows.next_row(|pixel| light = pixel.r));
-        let error = light - cover(edge.normal, edge.distance);
+        let error = light - cover;
         let rays = u32::try_from(rows.rays()).expect("few");
         sums = [sums[0] + error * error, sums[1] + error, sums[2] + f64::from(rays)];
         n += 1.0;
@@ -113,4 +66,110 @@ fn what_has_no_room_is_refused() {
     assert!(Corners::<_, _, 80>::new(&edge, (&camera, raster), deep, &mut above, 0).is_none());
     assert!(Corners::<_, _, 81>::new(&edge, (&camera, raster), deep, &mut above[..2], 0).is_none());
     assert!(Cutting::new(5, 16).is_none());
+}
+
+/// The light of a small picture.
+type Lights<L> = Vec<L, 1200>;
+
+fn put<L: core::fmt::Debug>(lights: &mut Lights<L>, light: L) {
+    lights.push(light).expect("small");
+}
+
+/// Draws the picture of an edge from a row on.
+fn drawn(edge: &Edge, raster: Raster, first: u32, shares: bool) -> (Lights<f64>, u64) {
+    let camera = camera();
+    let cutting = Cutting::default();
+    let (mut above, mut edges) = ([Rgb::BLACK; 41], [Rgb::BLACK; 120]);
+    assert_eq!(40 * cutting.edges(), edges.len());
+    let edges = &mut edges[..if shares { 120 } else { 0 }];
+    let rows = Corners::<_, _>::new(edge, (&camera, raster), cutting, &mut above, first);
+    let (mut rows, mut lights) = (rows.expect("room").sharing(edges), Lights::new());
+    while rows.next_row(|light| put(&mut lights, light.r)) {}
+    (lights, rows.rays())
+}
+
+#[test]
+fn shared_edges_take_fewer_rays_for_the_same_picture() {
+    let raster = Raster::new(40, 30).expect("small");
+    for normal in [[0.8, 0.6], [0.6, -0.8], [0.9998, 0.02]] {
+        let edge = Edge { normal, distance: 0.013 };
+        let (alone, rays) = drawn(&edge, raster, 0, false);
+        let (shared, fewer) = drawn(&edge, raster, 0, true);
+        assert_eq!(alone, shared);
+        assert!(fewer < rays, "{fewer}, {rays}");
+        let (part, _) = drawn(&edge, raster, 11, true);
+        assert_eq!(part, alone[11 * 40..]);
+    }
+}
+
+struct Only(u32, u32);
+
+impl Force for Only {
+    fn is_cut(&self, x: u32, y: u32) -> bool {
+        (x, y) == (self.0, self.1)
+    }
+}
+
+#[test]
+fn a_forced_pixel_is_cut_to_the_full_depth() {
+    let edge = Edge { normal: [1.0, 0.0], distance: 9.0 };
+    let (camera, raster) = (camera(), Raster::new(8, 6).expect("small"));
+    let mut above = [Rgb::BLACK; 9];
+    let rows = Corners::<_, _>::new(&edge, (&camera, raster), Cutting::default(), &mut above, 0);
+    let mut rows = rows.expect("room").forced(Only(3, 2));
+    while rows.next_row(|light| assert!((light.r - 1.0).abs() < 1e-12)) {}
+    assert_eq!(rows.rays(), 9 * 7 + 25 - 4);
+}
+
+#[test]
+fn the_middle_is_seen_beside_a_pixel_that_is_cut() {
+    // From just right of the corners at x = 3 of 8, so that only pixel 2 is cut; its neighbours are asked in their middles.
+    let edge = Edge { normal: [1.0, 0.0], distance: 2.5 / 8.0 - 0.5 };
+    let (camera, raster) = (camera(), Raster::new(8, 1).expect("small"));
+    let mut above = [Rgb::BLACK; 9];
+    let rows = Corners::<_, _>::new(&edge, (&camera, raster), Cutting::default(), &mut above, 0);
+    let (mut rows, mut lights) = (rows.expect("room"), Lights::new());
+    while rows.next_row(|light| put(&mut lights, light.r)) {}
+    let (cut, middles) = (rows.rays() - 18, 2);
+    assert!(cut > middles && cut <= 21 + middles, "{cut}");
+    assert!((lights[1] - 1.0).abs() < 1e-12 && lights[3].abs() < 1e-12, "{lights:?}");
+}
+
+/// A picture whose corners are rounded to levels before they are kept, one by one.
+#[derive(Clone, Copy)]
+struct Rounded(Rgb<f64>);
+
+impl Keep<f64> for Rounded {
+    fn keep(light: Rgb<f64>) -> Self {
+        Self(light.map(|light| libm::floor(light * 63.0 + 0.5) / 63.0))
+    }
+
+    fn light(self) -> Rgb<f64> {
+        self.0
+    }
+}
+
+#[test]
+fn packed_rows_have_the_levels_of_a_display() {
+    assert_eq!(size_of::<[Packed<63>; 321]>(), 963);
+    let edge = crate::raster::edge::Tinted {
+        edge: Edge { normal: [0.8, 0.6], distance: 0.1 },
+        dark: [0.2, 0.97, 0.413],
+    };
+    let (camera, raster) = (camera(), Raster::new(40, 30).expect("small"));
+    let (mut packed, mut rounded) = ([Packed::<63>::default(); 41], [Rounded(Rgb::BLACK); 41]);
+    let mut whole = [Rgb::BLACK; 41];
+    let (view, cutting) = ((&camera, raster), Cutting::default());
+    let mut packed = Corners::<_, _, 25, _>::new(&edge, view, cutting, &mut packed, 0).expect("room");
+    let mut rounded = Corners::<_, _, 25, _>::new(&edge, view, cutting, &mut rounded, 0).expect("room");
+    let mut whole = Corners::<_, _>::new(&edge, view, cutting, &mut whole, 0).expect("room");
+    let [mut a, mut b, mut c] = [const { Lights::new() }; 3];
+    while packed.next_row(|light| put(&mut a, light)) {}
+    while rounded.next_row(|light| put(&mut b, light)) {}
+    while whole.next_row(|light| put(&mut c, light)) {}
+    for ((packed, rounded), whole) in a.iter().zip(&b).zip(&c) {
+        assert!((packed.g - rounded.g).abs() < 1e-12 && (packed.b - rounded.b).abs() < 1e-12);
+        assert!((packed.b - whole.b).abs() <= 0.5 / 63.0 + 1e-12, "{packed:?}, {whole:?}");
+    }
+    assert_ne!(a, c);
 }

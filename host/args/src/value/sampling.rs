@@ -4,7 +4,7 @@ use core::fmt;
 use core::str::FromStr;
 
 use rta_core::sampling::{Sampling, Sobol};
-use rta_scenes::sampler::{Cutting, Lamps};
+use rta_scenes::sampler::{Adaptive, Cutting, Lamps};
 
 /// Samples a pixel: 1 to [`Sobol::MAX_SAMPLES`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -65,13 +65,47 @@ impl fmt::Display for Samples {
     }
 }
 
+/// How far the samples of a pixel may be from agreeing, as a part of white.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ToleranceValue(f64);
+
+/// It is no tolerance.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("expected a part of white from {} to 1", ToleranceValue::LEAST)]
+pub struct NotTolerance;
+
+impl ToleranceValue {
+    /// The smallest: a sixteenth of one of 255 levels, rounded up.
+    const LEAST: f64 = 0.00025;
+
+    /// Returns the part of white.
+    #[must_use]
+    pub const fn part(self) -> f64 {
+        self.0
+    }
+}
+
+impl FromStr for ToleranceValue {
+    type Err = NotTolerance;
+
+    fn from_str(text: &str) -> Result<Self, NotTolerance> {
+        text.parse().ok().filter(|part| (Self::LEAST..=1.0).contains(part)).map(Self).ok_or(NotTolerance)
+    }
+}
+
+impl fmt::Display for ToleranceValue {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.0.fmt(f)
+    }
+}
+
 /// How lamps with a size are asked for their light.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct LampsValue(pub Lamps);
 
 /// It is no way to ask lamps.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("expected point, fixed:K with a square number K from 1 to 1024, or area")]
+#[error("expected point, fixed:K with a square number K from 1 to 1024, area or cone")]
 pub struct NotLamps;
 
 impl FromStr for LampsValue {
@@ -87,6 +121,7 @@ impl FromStr for LampsValue {
         match (text.as_str(), text.strip_prefix("fixed:")) {
             ("point", _) => Ok(Self(Lamps::Point)),
             ("area", _) => Ok(Self(Lamps::Area)),
+            ("cone", _) => Ok(Self(Lamps::Cone)),
             (_, Some(places)) => fixed(places).map(Self).ok_or(NotLamps),
             _ => Err(NotLamps),
         }
@@ -99,38 +134,46 @@ impl fmt::Display for LampsValue {
             Lamps::Point => f.write_str("point"),
             Lamps::Fixed(side) => write!(f, "fixed:{}", u32::from(side) * u32::from(side)),
             Lamps::Area => f.write_str("area"),
+            Lamps::Cone => f.write_str("cone"),
         }
     }
 }
 
-/// How pixels are cut for adaptive antialiasing.
+/// A way of adaptive antialiasing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct CuttingValue(pub Cutting);
+pub struct AdaptiveValue(pub Adaptive);
 
 /// It is no way of adaptive antialiasing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("expected whitted, or whitted:K with a depth K from 0 to {}", Cutting::DEEPEST)]
-pub struct NotCutting;
+#[error("expected whitted, whitted:K with a depth K from 0 to {}, or mitchell", Cutting::DEEPEST)]
+pub struct NotAdaptive;
 
 /// Corners that differ by more than this many 256ths of white are not alike.
 const TOLERANCE: u8 = 16;
 
-impl FromStr for CuttingValue {
-    type Err = NotCutting;
+impl FromStr for AdaptiveValue {
+    type Err = NotAdaptive;
 
-    fn from_str(text: &str) -> Result<Self, NotCutting> {
+    fn from_str(text: &str) -> Result<Self, NotAdaptive> {
         let text = text.to_ascii_lowercase();
-        if text == "whitted" {
-            return Ok(Self(Cutting::default()));
+        match (text.as_str(), text.strip_prefix("whitted:")) {
+            ("whitted", _) => Ok(Self(Adaptive::Whitted(Cutting::default()))),
+            ("mitchell", _) => Ok(Self(Adaptive::Mitchell)),
+            (_, Some(depth)) => {
+                let cutting = depth.parse().ok().and_then(|depth| Cutting::new(depth, TOLERANCE));
+                cutting.map(|cutting| Self(Adaptive::Whitted(cutting))).ok_or(NotAdaptive)
+            }
+            _ => Err(NotAdaptive),
         }
-        let depth = text.strip_prefix("whitted:").and_then(|depth| depth.parse().ok());
-        depth.and_then(|depth| Cutting::new(depth, TOLERANCE)).map(Self).ok_or(NotCutting)
     }
 }
 
-impl fmt::Display for CuttingValue {
+impl fmt::Display for AdaptiveValue {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "whitted:{}", self.0.depth())
+        match self.0 {
+            Adaptive::Whitted(cutting) => write!(f, "whitted:{}", cutting.depth()),
+            Adaptive::Mitchell => f.write_str("mitchell"),
+        }
     }
 }
 
@@ -138,7 +181,7 @@ impl fmt::Display for CuttingValue {
 mod tests {
     use rta_core::sampling::Places;
 
-    use super::{CuttingValue, LampsValue, Samples};
+    use super::{AdaptiveValue, LampsValue, Samples, ToleranceValue};
 
     #[test]
     fn samples_on_a_grid_are_squares() {
@@ -157,14 +200,28 @@ mod tests {
     }
 
     #[test]
-    fn cutting_is_told_as_it_is_read() {
-        for (text, told) in [("whitted", "whitted:2"), ("whitted:0", "whitted:0"), ("Whitted:4", "whitted:4")]
-        {
-            let read = text.parse::<CuttingValue>().expect(text);
+    fn antialiasing_is_told_as_it_is_read() {
+        for (text, told) in [
+            ("whitted", "whitted:2"),
+            ("whitted:0", "whitted:0"),
+            ("Whitted:4", "whitted:4"),
+            ("Mitchell", "mitchell"),
+        ] {
+            let read = text.parse::<AdaptiveValue>().expect(text);
             assert_eq!(read.to_string(), told);
         }
-        for text in ["", "whitted:", "whitted:5", "whitted:-1", "mitchell:2"] {
-            assert!(text.parse::<CuttingValue>().is_err(), "{text}");
+        for text in ["", "whitted:", "whitted:5", "whitted:-1", "mitchell:2", "cones"] {
+            assert!(text.parse::<AdaptiveValue>().is_err(), "{text}");
+        }
+    }
+
+    #[test]
+    fn a_tolerance_is_a_part_of_white() {
+        for (text, told) in [("1", "1"), (".01", "0.01"), ("1e-3", "0.001"), ("0.00025", "0.00025")] {
+            assert_eq!(text.parse::<ToleranceValue>().expect(text).to_string(), told);
+        }
+        for text in ["", "0", "-0.1", "1.01", "1e-5", "NaN", "inf", "a"] {
+            assert!(text.parse::<ToleranceValue>().is_err(), "{text}");
         }
     }
 

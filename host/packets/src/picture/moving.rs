@@ -17,7 +17,7 @@ use rta_scenes::narrow::Narrowed;
 use rta_scenes::narrow::moving::Held;
 use rta_scenes::sampler::Spreading;
 
-use super::{Format, MAX_DEPTH, Modelled, Picture, PutRow, Setup};
+use super::{Format, MAX_DEPTH, Modelled, Pass, Picture, PutRow, Setup, Sums};
 use crate::cache::ShadowCache;
 
 /// A picture in which something moves; `still` is the one of the middle of the time.
@@ -32,8 +32,8 @@ pub(super) struct Moving<S: Format, M> {
 type Traced<'t, S, M> = moving::Moving<'t, S, M, Everything, { MAX_DEPTH as usize }, Search<'t, S>, Held<S>>;
 
 impl<S: Format, M: Illumination<S> + Clone> Moving<S, M> {
-    /// Returns what `draw` makes of the tracer of the picture.
-    fn with_tracer<R>(&self, draw: impl FnOnce(&Traced<'_, S, M>) -> R) -> Option<R> {
+    /// Returns what `draw` makes of the tracer of the picture whose rays are spread by `seed`.
+    fn with_tracer<R>(&self, seed: u32, draw: impl FnOnce(&Traced<'_, S, M>) -> R) -> Option<R> {
         let (ready, scene) = (&self.still.ready, &self.scene);
         let search = self.built.bvh().map_or(Search::Lists, Search::Hierarchy);
         let admitted = Admitted::baked(scene.scene(), ready.limits, search);
@@ -43,7 +43,6 @@ impl<S: Format, M: Illumination<S> + Clone> Moving<S, M> {
             tracer = tracer.with_cutoff(S::Unit::ratio(numerator, denominator));
         }
         let spread = scene.spreads.spread(&self.spreading);
-        let seed = self.spreading.samples.seed();
         let still = Distributed { tracer, spread: &spread, seed };
         Some(draw(&Traced { still, motions: &scene.spreads.motions, room: PhantomData }))
     }
@@ -53,7 +52,7 @@ impl<S: Format, M: Illumination<S> + Clone> Picture<S> for Moving<S, M> {
     fn rows(&self, first: u32, end: u32, put: PutRow<S>) {
         let raster = self.setup().raster;
         let (camera, samples) = (&self.scene.camera, self.spreading.samples);
-        self.with_tracer(|tracer| {
+        self.with_tracer(samples.seed(), |tracer| {
             for y in first..end.min(raster.height()) {
                 let row = Pixels::sampled(tracer, camera, raster, samples, y, y + 1);
                 put(&row.collect::<Vec<_>>());
@@ -73,9 +72,20 @@ impl<S: Format, M: Illumination<S> + Clone> Picture<S> for Moving<S, M> {
         observer: &mut dyn Observer<S>,
     ) -> Rgb<S::Light> {
         let camera = &self.scene.camera;
-        let light =
-            self.with_tracer(|tracer| tracer.sample(camera, place, sample, &mut Memory::default(), observer));
+        let seed = self.spreading.samples.seed();
+        let light = self.with_tracer(seed, |tracer| {
+            tracer.sample(camera, place, sample, &mut Memory::default(), observer)
+        });
         light.unwrap_or(Rgb::BLACK)
+    }
+
+    fn add(&self, pass: Pass, sums: Sums<S>) {
+        let (camera, mut memory) = (&self.scene().camera, Memory::default());
+        self.with_tracer(pass.samples.seed(), |tracer| {
+            pass.add::<S>(self.setup().raster, sums, |place, sample| {
+                tracer.sample(camera, place, sample, &mut memory, &mut ())
+            });
+        });
     }
 
     fn setup(&self) -> &Setup {

@@ -9,7 +9,7 @@ use rta_core::trace::{Distributed, Observer, Trace};
 use rta_scenes::narrow::Narrowed;
 use rta_scenes::sampler::Spreading;
 
-use super::{Format, MAX_DEPTH, Modelled, Picture, PutRow, Setup};
+use super::{Format, MAX_DEPTH, Modelled, Pass, Picture, PutRow, Setup, Sums};
 use crate::cache::ShadowCache;
 use crate::packets::Packets;
 
@@ -23,14 +23,14 @@ type Traced<'t, S, M> =
     Distributed<'t, S, M, rta_core::needs::Everything, { MAX_DEPTH as usize }, &'t Packets>;
 
 impl<S: Format, M: Illumination<S> + Clone> Spread<S, M> {
-    /// Returns what `draw` makes of the tracer of the picture.
-    fn with_tracer<R>(&self, draw: impl FnOnce(&Traced<'_, S, M>) -> R) -> Option<R> {
+    /// Returns what `draw` makes of the tracer of the picture whose rays are spread by `seed`.
+    fn with_tracer<R>(&self, seed: u32, draw: impl FnOnce(&Traced<'_, S, M>) -> R) -> Option<R> {
         let ready = &self.still.ready;
         let admitted = ready.admitted();
         let spread = ready.scene.spreads.spread(&self.spreading);
         // There is a tracer: the depth was checked when the picture was made ready.
         let tracer = self.still.tracer(&admitted)?;
-        Some(draw(&Distributed { tracer, spread: &spread, seed: self.spreading.samples.seed() }))
+        Some(draw(&Distributed { tracer, spread: &spread, seed }))
     }
 }
 
@@ -38,7 +38,7 @@ impl<S: Format, M: Illumination<S> + Clone> Picture<S> for Spread<S, M> {
     fn rows(&self, first: u32, end: u32, put: PutRow<S>) {
         let raster = self.setup().raster;
         let (camera, samples) = (&self.scene().camera, self.spreading.samples);
-        self.with_tracer(|tracer| {
+        self.with_tracer(samples.seed(), |tracer| {
             for y in first..end.min(raster.height()) {
                 let row = Pixels::sampled(tracer, camera, raster, samples, y, y + 1);
                 put(&row.collect::<Vec<_>>());
@@ -58,7 +58,18 @@ impl<S: Format, M: Illumination<S> + Clone> Picture<S> for Spread<S, M> {
         observer: &mut dyn Observer<S>,
     ) -> Rgb<S::Light> {
         let camera = &self.scene().camera;
-        self.with_tracer(|tracer| tracer.sample(camera, place, sample, cache, observer)).unwrap_or(Rgb::BLACK)
+        let seed = self.spreading.samples.seed();
+        let light = self.with_tracer(seed, |tracer| tracer.sample(camera, place, sample, cache, observer));
+        light.unwrap_or(Rgb::BLACK)
+    }
+
+    fn add(&self, pass: Pass, sums: Sums<S>) {
+        let (camera, mut memory) = (&self.scene().camera, ShadowCache::default());
+        self.with_tracer(pass.samples.seed(), |tracer| {
+            pass.add::<S>(self.setup().raster, sums, |place, sample| {
+                tracer.sample(camera, place, sample, &mut memory, &mut ())
+            });
+        });
     }
 
     fn setup(&self) -> &Setup {

@@ -28,6 +28,10 @@ const REPORT: &str = "rta report scenes/glass-2.dat -o report";
 const DRAWN: &[(&str, &str)] = &[
     ("The Juggler", "rta render scenes/juggler.dat -o scenes/juggler-vga.png"),
     (
+        "The Juggler without stair-steps",
+        "rta render scenes/juggler.dat -o scenes/juggler-smooth.png --aa whitted",
+    ),
+    (
         "22 objects, half of them mirrors",
         "rta render scenes/hall-22.dat -o scenes/hall-22-pixrect.png --device pixrect --size 384x300",
     ),

@@ -16,6 +16,7 @@ use crate::error::Error;
 use crate::picture::device::Target;
 use crate::picture::error::PictureError;
 use crate::request::Request;
+use crate::request::sampler::with_samples;
 
 /// The most bytes of frames that are kept: a quarter of an hour of mode 13h, or some seconds of a whole screen of today.
 const MOST: u64 = 2 << 30;
@@ -83,7 +84,9 @@ impl Film {
             (true, 0) => 0..self.source.frames(),
             (true, _) => 0..0,
         };
-        let asked = Asked::of(self.source.request(), number, table)?;
+        let request = self.source.request();
+        let asked = Asked::of(request, number, table)?;
+        let asked = if self.is_film() { asked } else { asked.in_passes(request) };
         self.tracing = Some(Tracing::begin(self.source.clone(), engine, asked, Arc::clone(&self.pool)));
         Ok(())
     }
@@ -231,6 +234,16 @@ impl Film {
         self.failure.take()
     }
 
+    /// Returns the request of what is seen: with the samples of the last pass, if it has passes.
+    #[must_use]
+    pub fn request(&self) -> Request {
+        let request = self.source.request().clone();
+        match self.first.pass() {
+            Some((samples, _)) => Request { sampling: with_samples(request.sampling, samples), ..request },
+            None => request,
+        }
+    }
+
     /// Reads back from the device what is to be seen.
     ///
     /// # Errors
@@ -258,8 +271,13 @@ impl Film {
     #[must_use]
     pub fn progress(&self) -> String {
         let (complete, seen) = (self.complete, self.seen);
+        let took = self.took.as_secs_f64();
         let progress = match (self.is_complete(), complete, self.is_tracing()) {
-            (true, ..) => format!("{:.2} s", self.took.as_secs_f64()),
+            (is_done, ..) if let Some((samples, error)) = self.first.pass() => {
+                let end = if is_done { format!(" | {took:.2} s") } else { String::new() };
+                format!("{samples} samples, error {error:.2e}{end}")
+            }
+            (true, ..) => format!("{took:.2} s"),
             (_, 0, _) => {
                 let rows = self.first.picture().size.height();
                 format!("{} %", u64::from(self.first.rows()) * 100 / u64::from(rows))

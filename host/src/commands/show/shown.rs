@@ -35,6 +35,10 @@ pub struct Shown {
     previews: Vec<Preview>,
     /// Whether the device has rows that were not read back yet.
     stale: bool,
+    /// The colours of which the device's colour table is made, and the columns of their grid: each pass makes it anew.
+    samples: (Vec<Rgb<u8>>, u32),
+    /// Samples of a pixel and estimated error, of a picture in passes.
+    pass: Option<(u32, f64)>,
 }
 
 impl Shown {
@@ -54,17 +58,27 @@ impl Shown {
         };
         let picture = Displayed { size, aspect, pixels };
         let display = request.target.device().map(|device| (device, request.coloring));
-        let mut shown = Self { display, screen, picture, rows: 0, previews: Vec::new(), stale: false };
+        let mut shown = Self {
+            display,
+            screen,
+            picture,
+            rows: 0,
+            previews: Vec::new(),
+            stale: false,
+            samples: (Vec::new(), 0),
+            pass: None,
+        };
         if shown.screen.is_none() && request.coloring.samples() == 0 {
-            shown.switch_on(&[], 0)?;
+            shown.switch_on()?;
         }
         Ok(shown)
     }
 
-    /// Switches the device on, if there is one, with a colour table that is made from samples of a grid that is `width` wide.
-    fn switch_on(&mut self, samples: &[Rgb<u8>], width: u32) -> Result<(), Error> {
+    /// Switches the device on, if there is one, with a colour table that is made from the samples that are there.
+    fn switch_on(&mut self) -> Result<(), Error> {
         if let Some(display) = self.display {
-            self.screen = Some(Screen::of_samples(display, self.picture.shape(), (samples, width))?);
+            let (samples, width) = &self.samples;
+            self.screen = Some(Screen::of_samples(display, self.picture.shape(), (samples, *width))?);
             self.stale = true;
         }
         Ok(())
@@ -86,7 +100,14 @@ impl Shown {
     pub fn put(&mut self, part: Part) -> Result<(), Error> {
         let (size, first, levels) = match part {
             Part::Rows { size, first, levels } => (size, first, levels),
-            Part::Samples { light, width } => return self.switch_on(&light, width),
+            Part::Samples { light, width } => {
+                self.samples = (light, width);
+                return self.switch_on();
+            }
+            Part::Pass { samples, error, levels } => {
+                self.begin_pass(samples, error)?;
+                (self.picture.size, 0, levels)
+            }
             Part::Ready(_) | Part::Complete(_) | Part::Failed(_) => return Ok(()),
         };
         if size != self.picture.size {
@@ -110,6 +131,24 @@ impl Shown {
             self.previews.clear();
         }
         Ok(())
+    }
+
+    /// Makes room for the rows of a pass: they are dithered, and their colours chosen, as if there had been none before.
+    fn begin_pass(&mut self, samples: u32, error: f64) -> Result<(), Error> {
+        if self.pass.replace((samples, error)).is_some() {
+            self.rows = 0;
+            match &mut self.picture.pixels {
+                Pixels::Direct(pixels) => pixels.clear(),
+                Pixels::Indexed { .. } => self.switch_on()?,
+            }
+        }
+        Ok(())
+    }
+
+    /// Returns the samples of a pixel and the estimated error of the last pass, if the picture has passes.
+    #[must_use]
+    pub const fn pass(&self) -> Option<(u32, f64)> {
+        self.pass
     }
 
     /// Reads back what is on the device's screen.

@@ -11,6 +11,7 @@ use rayon::ThreadPool;
 use rta_core::color::Rgb;
 use rta_core::raster::lattice::Lattice;
 
+use super::passing::Passing;
 use super::source::Source;
 use crate::engine::Engine;
 use crate::engine::bands::{self, BandsError};
@@ -48,6 +49,15 @@ pub enum Part {
         /// Columns of the grid that they are the pixels of.
         width: u32,
     },
+    /// All rows of the picture, with the samples that it has after a pass. It takes the place of the pass before.
+    Pass {
+        /// Samples of a pixel.
+        samples: u32,
+        /// The estimated error.
+        error: f64,
+        /// Levels that the device takes.
+        levels: Vec<Rgb<u8>>,
+    },
     /// The picture is complete. It has taken this long, without its previews.
     Complete(Duration),
     /// The scene cannot be traced. Nothing comes after it.
@@ -78,6 +88,8 @@ pub struct Asked {
     samples: Option<(Lattice, Range<u32>)>,
     /// The frame.
     number: u32,
+    /// How the picture is traced in passes, if it is.
+    passes: Option<Passing>,
 }
 
 impl Asked {
@@ -92,14 +104,22 @@ impl Asked {
         let is_sampled = device.is_some() && coloring.samples() > 0 && !table.is_empty();
         let frames = u32::try_from(table.len()).unwrap_or(u32::MAX);
         let lattice = if is_sampled { Some(lattice(*coloring, size, frames)?) } else { None };
-        Ok(Self { size, light_max, samples: lattice.map(|lattice| (lattice, table)), number })
+        let samples = lattice.map(|lattice| (lattice, table));
+        Ok(Self { size, light_max, samples, number, passes: None })
+    }
+
+    /// Returns it as a picture in passes, where its rays are spread or it has an end; frames of a film are traced at once.
+    #[must_use]
+    pub fn in_passes(mut self, request: &Request) -> Self {
+        self.passes = Passing::of(request);
+        self
     }
 }
 
 impl Tracing {
     /// Begins to trace a frame. The first one has previews; the others are not seen before they are complete.
     pub fn begin(source: Source, engine: Option<Arc<Engine>>, asked: Asked, pool: Arc<ThreadPool>) -> Self {
-        let Asked { size, light_max, samples, number } = asked;
+        let Asked { size, light_max, samples, number, passes } = asked;
         let (sender, parts) = mpsc::channel();
         let stop = Arc::new(AtomicBool::new(false));
         let stopped = Arc::clone(&stop);
@@ -128,6 +148,11 @@ impl Tracing {
                         light.extend(grid?);
                     }
                     send(Part::Samples { light, width: lattice.grid().width() })?;
+                }
+                if let Some(passes) = passes {
+                    let pass = |samples, error, levels| send(Part::Pass { samples, error, levels });
+                    passes.trace(&engine, (size, light_max), &pool, &stopped, &pass)?;
+                    return Ok(send(Part::Complete(began.elapsed()))?);
                 }
                 let trace = |first, levels: &mut [_]| engine.level_rows(first, light_max, levels);
                 let deliver = |first, levels| send(Part::Rows { size, first, levels });

@@ -11,7 +11,7 @@ use minifb::{MouseMode, ScaleMode, Window, WindowOptions};
 use rta_scenes::shipped;
 
 use crate::args::{DrawingArgs, ShowArgs};
-use crate::commands::render::{Film, Work, tempo};
+use crate::commands::render::{Film, Goal, Work, tempo, trace};
 use crate::commands::show::Show;
 use crate::commands::show::desktop::{self, Desktop};
 use crate::commands::show::keys::{Keyboard, Press};
@@ -27,6 +27,7 @@ use crate::picture::frame::{Frame, Place};
 use crate::picture::output::{self, Failure, Inputs};
 use crate::picture::raster::Size;
 use crate::request::Request;
+use crate::request::sampler::with_samples;
 use crate::request::scene_file::SceneFile;
 
 /// Frames a second.
@@ -66,6 +67,7 @@ pub fn run(args: &ShowArgs) -> Result<(), Error> {
         (None, Some(_)) => SceneFile::of_text("juggler", shipped::JUGGLING, reading)?,
     };
     let request = Request::of_scene(&args.tracing, args.device, &scene)?;
+    let request = request.until(args.until, &args.tracing, &scene)?;
     let (size, aspect) = request.raster()?;
     let stop = interrupt::watch();
     let reason = match open(size, aspect) {
@@ -94,6 +96,15 @@ fn written(
 ) -> Result<(&'static str, Vec<u8>), Failure<Error>> {
     let ShowArgs { device, film, tracing, .. } = args;
     let (mut content, mut caption) = (Vec::new(), request.caption(scene));
+    if let Some(end) = request.until {
+        let (engine, shape) = (request.engine(scene)?, request.raster()?);
+        let traced = trace(&engine, shape.0, Goal::Until(end, false), (tracing.threads, false))?;
+        let sampling = with_samples(request.sampling, traced.samples());
+        caption = Request { sampling, ..request.clone() }.caption(scene);
+        let work = Work::of(traced, (request.target, request.coloring), shape, tracing.threads, stop)?;
+        work.displayed()?.write_png(&caption, &mut content)?;
+        return Ok(("picture", content));
+    }
     let Some(frames) = film.frames else {
         let work = Work::new(request, scene, tracing.threads, stop)?;
         work.displayed()?.write_png(&caption, &mut content)?;

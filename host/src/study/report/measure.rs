@@ -49,6 +49,22 @@ pub fn median(mut values: Vec<f64>) -> f64 {
     values.get(values.len().saturating_sub(1) / 2).copied().unwrap_or(0.0)
 }
 
+/// Returns the slope of `log y` over `log x` of points `(x, y)`, by least squares; `None` where there are not two different x, or a number
+/// is not above 0.
+#[must_use]
+pub fn slope(points: &[(f64, f64)]) -> Option<f64> {
+    let (mut n, mut sums) = (0.0, [0.0; 4]);
+    for &(x, y) in points {
+        let (x, y) = (x.ln(), y.ln());
+        n += 1.0;
+        let [sum_x, sum_y, squares, products] = sums;
+        sums = [sum_x + x, sum_y + y, squares + x * x, products + x * y];
+    }
+    let [x, y, squares, products] = sums;
+    let slope = (n * products - x * y) / (n * squares - x * x);
+    slope.is_finite().then_some(slope)
+}
+
 /// Returns the indexes of the points `(cost, error)` on the Pareto front, the cheapest first: those than which no other point is
 /// better in one without being worse in the other. Of equal points the first is on the front.
 #[must_use]

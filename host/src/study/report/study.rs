@@ -103,7 +103,9 @@ pub struct Setup<'a> {
 }
 
 impl Setup<'_> {
-    fn go_on(&self) -> Result<(), StudyError> {
+    /// # Errors
+    /// [`StudyError::INTERRUPTED`] after an interrupt.
+    pub(super) fn go_on(&self) -> Result<(), StudyError> {
         if self.stop.load(Ordering::Relaxed) { Err(StudyError::INTERRUPTED) } else { Ok(()) }
     }
 }
@@ -149,7 +151,7 @@ fn ready(source: &Source, setup: Setup, format: Format) -> Result<Box<dyn Bench>
     bench(&source.scene.description, setup.aspect, format).map_err(failed(source))
 }
 
-fn failed(source: &Source) -> impl Fn(EngineError) -> StudyError {
+pub(super) fn failed(source: &Source) -> impl Fn(EngineError) -> StudyError {
     |error| RequestError::Engine { name: source.scene.source.clone(), source: error }.into()
 }
 

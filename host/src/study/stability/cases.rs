@@ -4,11 +4,13 @@ use rta_scenes::description::{
     Camera, Cone, Cylinder, Description, Ellipsoid, FallOff, Floor, Lamp, Sky, Sphere, Surface, Triangle,
 };
 use rta_scenes::model::Model;
+use rta_scenes::sampler::Spreading;
 
 use super::aim::{Aim, Stand};
 use super::triple::Triple;
 
 mod models;
+mod spread;
 
 /// One case.
 #[derive(Clone, Debug)]
@@ -30,6 +32,8 @@ pub struct Case {
     /// The number of rays that was asked for is divided by this, where each ray from the eye casts very many others, or where
     /// there are many such cases.
     pub thinning: usize,
+    /// How rays are spread, in the cases where they are: then `aim` is the picture, and the eye stays where it is.
+    pub spreading: Option<Spreading>,
 }
 
 /// The models of all cases that are not about a model: one with attenuated lamps and weights of three registers, one with halfway
@@ -138,7 +142,17 @@ pub fn all() -> Vec<Case> {
     let mut cases = Vec::new();
     let mut add = |name, stand, aim, depth, scene| {
         let name = String::from(name);
-        cases.push(Case { name, scene, depth, stand, aim, models: BOTH, acne: true, thinning: 1 });
+        cases.push(Case {
+            name,
+            scene,
+            depth,
+            stand,
+            aim,
+            models: BOTH,
+            acne: true,
+            thinning: 1,
+            spreading: None,
+        });
     };
     let still = Stand::Shaken(0.01);
     let stir = Stand::Shaken(0.5);
@@ -290,5 +304,6 @@ pub fn all() -> Vec<Case> {
         };
     }
     cases.extend(models::all());
+    cases.extend(spread::all());
     cases
 }

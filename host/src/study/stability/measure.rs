@@ -1,11 +1,14 @@
 //! One case in one format, ray by ray beside `f64`.
 
 use fastrand::Rng;
+use rta_core::Scalar;
 use rta_core::color::Rgb;
 use rta_core::needs::Everything;
 use rta_core::range::Admitted;
+use rta_core::scene::Object;
 use rta_core::trace::{Trace, Tracer};
 use rta_core::vector::{UnitVec3, Vector};
+use rta_packets::picture as packets;
 use rta_packets::tally::Tally;
 use rta_scenes::description::Description;
 use rta_scenes::in_format;
@@ -17,8 +20,9 @@ use super::acne;
 use super::aim::Drawn;
 use super::cases::Case;
 use super::exact::rounded;
-use super::guard::guarded;
+use super::guard::{Failure, guarded};
 pub use super::outcome::{Measured, Outcome};
+use super::scattered;
 use super::triple::unit;
 use crate::engine::{EngineError, Format, MAX_DEPTH, single};
 
@@ -33,9 +37,9 @@ pub fn measure(case: &Case, format: Format, samples: usize) -> Outcome {
     in_format!(format, S => measured::<S>(case, samples))
 }
 
-fn measured<S: Shade>(case: &Case, samples: usize) -> Outcome {
+fn measured<S: packets::Format>(case: &Case, samples: usize) -> Outcome {
     let mut measured = Measured { samples: (samples / case.thinning).max(1), ..Measured::default() };
-    let mut errors = Vec::with_capacity(measured.samples);
+    let mut errors = Errors(Vec::with_capacity(measured.samples));
     // The same rays for all formats, and others for each case.
     let mut rng =
         Rng::with_seed(case.name.bytes().fold(7, |seed: u64, byte| seed.wrapping_mul(31) + u64::from(byte)));
@@ -43,7 +47,12 @@ fn measured<S: Shade>(case: &Case, samples: usize) -> Outcome {
     while left > 0 {
         let count = left.min(BLOCK);
         let scene = case.stand.place(&case.scene, &mut rng);
-        let traced = guarded(|| block::<S>(case, &scene, count, &mut rng, &mut measured, &mut errors));
+        let found = (&mut measured, &mut errors);
+        let traced = guarded(|| match case.spreading {
+            Some(spreading) => scattered::block::<S>(case, (&scene, spreading), count, &mut rng, found)
+                .map_err(EngineError::from),
+            None => block::<S>(case, &scene, count, &mut rng, found),
+        });
         match traced {
             Ok(Ok(())) => {}
             Ok(Err(reason)) => return Outcome::Refused(reason.to_string()),
@@ -52,7 +61,7 @@ fn measured<S: Shade>(case: &Case, samples: usize) -> Outcome {
         }
         left -= count;
     }
-    measured.spread(&mut errors);
+    measured.spread(&mut errors.0);
     if case.acne {
         acne::search::<S>(case, samples / 2, &mut rng, &mut measured);
     }
@@ -65,8 +74,7 @@ fn block<S: Shade>(
     scene: &Description,
     count: usize,
     rng: &mut Rng,
-    measured: &mut Measured,
-    errors: &mut Vec<f64>,
+    (measured, errors): (&mut Measured, &mut Errors),
 ) -> Result<(), EngineError> {
     let given = rounded::<S>(scene);
     let (tested, exact) = (narrow::<S>(&given, 1.0)?, narrow::<f64>(&given, 1.0)?);
@@ -76,21 +84,41 @@ fn block<S: Shade>(
     let exact = Side::new(case, &given, &exact, &admitted.1)?;
     for i in 0..count {
         let (direction, twin) = directions::<S>(case.aim.draw(scene, rng), &tested, &exact);
-        let traced = guarded(|| (tested.object(direction), tested.light(direction, i, &mut rays)));
-        let expected = guarded(|| (exact.object(twin), exact.light(twin, i, &mut unused)));
-        match (traced, expected) {
-            (Ok((object, light)), Ok((twin_object, expected))) => {
-                match difference(light.map(single::<S>), expected.map(single::<f64>)) {
-                    None => measured.non_finite += 1,
-                    Some(_) if object != twin_object => measured.wrong += 1,
-                    Some(levels) => errors.push(levels),
-                }
-            }
-            (Err(failure), _) | (_, Err(failure)) => measured.failed(failure),
-        }
+        let (mut object, mut twin_object) = (None, None);
+        let light = guarded(|| {
+            object = tested.object(direction);
+            tested.light(direction, i, &mut rays)
+        });
+        let expected = guarded(|| {
+            twin_object = exact.object(twin);
+            exact.light(twin, i, &mut unused)
+        });
+        errors.take::<S>((light, object), (expected, twin_object), measured);
     }
     measured.rays += rays.0.iter().sum::<u64>();
     Ok(())
+}
+
+/// Differences from `f64` in levels.
+pub(super) struct Errors(Vec<f64>);
+
+/// The light of a ray from the eye, and what it meets.
+type Traced<S> = (Result<Rgb<<S as Scalar>::Light>, Failure>, Option<Object>);
+
+impl Errors {
+    /// Takes a ray's light in a format beside that in `f64`.
+    pub(super) fn take<S: Shade>(&mut self, tested: Traced<S>, exact: Traced<f64>, measured: &mut Measured) {
+        match (tested, exact) {
+            ((Ok(light), object), (Ok(expected), twin)) => {
+                match difference(light.map(single::<S>), expected.map(single::<f64>)) {
+                    None => measured.non_finite += 1,
+                    Some(_) if object != twin => measured.wrong += 1,
+                    Some(levels) => self.0.push(levels),
+                }
+            }
+            ((Err(failure), _), _) | (_, (Err(failure), _)) => measured.failed(failure),
+        }
+    }
 }
 
 /// Returns a direction in the format, and its exact value in `f64`.
@@ -141,7 +169,7 @@ impl<'a, S: Shade> Side<'a, S> {
         Ok(Self { scene, admitted, tracers: tracers.collect::<Result<_, _>>()? })
     }
 
-    fn object(&self, direction: UnitVec3<S>) -> Option<rta_core::scene::Object> {
+    fn object(&self, direction: UnitVec3<S>) -> Option<Object> {
         let ray = self.admitted.ray::<Everything>(self.scene.camera.eye, direction);
         self.admitted.closest::<Everything>(&ray).map(|hit| hit.object)
     }

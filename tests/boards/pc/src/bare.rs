@@ -20,6 +20,10 @@ global_asm!(include_str!("bare/multiboot.s"));
 global_asm!(include_str!("bare/boot_sector.s"));
 global_asm!(include_str!("bare/start.s"));
 
+/// The picture's upper left pixel: it stands in the middle.
+const ORIGIN: (u32, u32) =
+    ((CAPABILITIES.width - picture::WIDTH) / 2, (CAPABILITIES.height - picture::HEIGHT) / 2);
+
 /// What the machine says when it ends; QEMU's isa-debug-exit makes it the status `2 * code + 1`.
 #[repr(u8)]
 #[derive(Clone, Copy)]
@@ -52,13 +56,13 @@ fn run(com1: &mut Com1) -> Result<(), Exit> {
     } else {
         Mode13h::program(vga)
     };
-    let drawn = picture::draw(display, picture::adaptive(CAPABILITIES.gun_max), (0, 0), || {});
+    let drawn = picture::draw(display, picture::adaptive(CAPABILITIES.gun_max), ORIGIN, || {});
     let mut display = drawn.map_err(|_| Exit::Refused)?;
     for (name, value) in picture::facts(picture::table()) {
         picture::report(name, value, |byte| com1.put(byte));
     }
     picture::report("stack", stack::high_water(), |byte| com1.put(byte));
-    picture::console::serve(com1, &mut display, (0, 0)).map_err(|_| Exit::Refused)
+    picture::console::serve(com1, &mut display, ORIGIN).map_err(|_| Exit::Refused)
 }
 
 /// Ends the machine, or where there is no isa-debug-exit leaves it standing with the picture shown.

@@ -1,6 +1,6 @@
 //! The picture on a display with direct colour.
 
-use rta_core::raster::{Pixels, Raster};
+use rta_core::raster::{Pixels, Places, Raster};
 use rta_core::trace::Trace;
 use rta_drivers::direct::{DirectColor, DirectDisplay, DirectPainter};
 use rta_drivers::dither::{Diffusion, DirectCell, FloydSteinberg};
@@ -27,14 +27,20 @@ impl<D: DirectDisplay, R: FnMut()> Drawing for Direct<D, R> {
     type Error = D::Error;
 
     #[inline(always)] // it has one caller in a program
-    fn draw(mut self, tracer: &impl Trace<scene::Number>, raster: Raster) -> Result<D, DrawError<D::Error>> {
+    fn draw(
+        mut self,
+        tracer: &impl Trace<scene::Number>,
+        places: impl Places,
+        raster: Raster,
+    ) -> Result<D, DrawError<D::Error>> {
         let mut cells = [DirectCell::<<D::Color as DirectColor>::Guns>::default(); WIDTH as usize];
         let diffusion = Diffusion::<FloydSteinberg, _, _>::new(&mut cells[..], raster.width() as usize);
         let diffusion = diffusion.map_err(DrawError::Dither)?;
         let mut painter = DirectPainter::dithered(self.display, diffusion);
         (self.row)();
         for y in 0..raster.height() {
-            let light = Pixels::row(tracer, &scene::CAMERA, raster, y).map(|light| light.levels(u8::MAX));
+            let light = Pixels::sampled(tracer, &scene::CAMERA, raster, places, y, y + 1);
+            let light = light.map(|light| light.levels(u8::MAX));
             painter.put_row(0, y, light).map_err(DrawError::Display)?;
             (self.row)();
         }

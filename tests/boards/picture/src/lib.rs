@@ -6,10 +6,13 @@ pub mod console;
 pub mod direct;
 pub mod stream;
 
+use core::marker::PhantomData;
+
 use rta_core::color::Rgb;
 use rta_core::raster::lattice::Lattice;
-use rta_core::raster::{Pixels, Raster};
-use rta_core::trace::{Spectrum, Trace, Tracer};
+use rta_core::raster::{Center, Pixels, Places, Raster};
+use rta_core::trace::moving::Moving;
+use rta_core::trace::{Distributed, Spectrum, Trace, Tracer};
 use rta_drivers::checksum::{Checksum, Unseen};
 use rta_drivers::display::{Capabilities, Display};
 use rta_drivers::dither::{Cell, Damped, Diffusion, Dither, DitherError};
@@ -105,6 +108,12 @@ pub fn checksum<T: ColorTable>(table: T) -> u64 {
 /// Whether the picture is one of several wavelengths.
 const SPECTRAL: bool = !scene::WEIGHTS.is_empty();
 
+/// Whether rays are spread.
+const SPREADS: bool = scene::SAMPLES.is_some();
+
+/// Whether something moves while the shutter is open.
+const MOVES: bool = !scene::MOTIONS.is_empty();
+
 /// The tracer of the baked scene with its model, by whichever accelerator it has.
 type Traced<'a, M, A> = Tracer<'a, scene::Number, M, Needs, { DEPTH as usize }, A>;
 
@@ -115,10 +124,11 @@ trait Drawing {
     /// The display's error.
     type Error;
 
-    /// Draws the picture of a tracer.
+    /// Draws the picture of a tracer, with the samples that `places` names.
     fn draw(
         self,
         tracer: &impl Trace<scene::Number>,
+        places: impl Places,
         raster: Raster,
     ) -> Result<Self::Display, DrawError<Self::Error>>;
 }
@@ -139,9 +149,17 @@ fn draw_sized<D: Drawing>(
         });
         let (weights, dispersive) = (&scene::WEIGHTS[..], &scene::DISPERSIVE[..]);
         let spectrum = Spectrum { weights, first: tracer, further: &further, dispersive };
-        return drawing.draw(&spectrum, raster);
+        return drawing.draw(&spectrum, Center, raster);
     }
-    drawing.draw(&tracer, raster)
+    if SPREADS && let Some(samples) = scene::SAMPLES {
+        let still = Distributed { tracer, spread: &scene::SPREAD, seed: samples.seed() };
+        if MOVES {
+            let room = PhantomData::<fn() -> scene::Room>;
+            return drawing.draw(&Moving { still, motions: &scene::MOTIONS, room }, samples, raster);
+        }
+        return drawing.draw(&still, samples, raster);
+    }
+    drawing.draw(&tracer, Center, raster)
 }
 
 /// A picture on a display with a colour table.
@@ -158,12 +176,17 @@ impl<D: Display, T: ColorTable, R: FnMut()> Drawing for Indexed<D, T, R> {
     type Error = D::Error;
 
     #[inline(always)] // it has one caller in a program
-    fn draw(self, tracer: &impl Trace<scene::Number>, raster: Raster) -> Result<D, DrawError<D::Error>> {
+    fn draw(
+        self,
+        tracer: &impl Trace<scene::Number>,
+        places: impl Places,
+        raster: Raster,
+    ) -> Result<D, DrawError<D::Error>> {
         let Self { display, table, origin, row } = self;
         if COLORS == Colors::Standard {
             return paint(
                 tracer,
-                raster,
+                (places, raster),
                 Painter::new(display, table).map_err(DrawError::Display)?,
                 origin,
                 row,
@@ -176,10 +199,16 @@ impl<D: Display, T: ColorTable, R: FnMut()> Drawing for Indexed<D, T, R> {
             if let Ok(diffusion) = Diffusion::<Damped, _>::new(&mut cells[..], raster.width() as usize) {
                 let painter =
                     Painter::dithered(display, &mut palette, diffusion).map_err(DrawError::Display)?;
-                return paint(tracer, raster, painter, origin, row);
+                return paint(tracer, (places, raster), painter, origin, row);
             }
         }
-        paint(tracer, raster, Painter::new(display, &mut palette).map_err(DrawError::Display)?, origin, row)
+        paint(
+            tracer,
+            (places, raster),
+            Painter::new(display, &mut palette).map_err(DrawError::Display)?,
+            origin,
+            row,
+        )
     }
 }
 
@@ -200,7 +229,7 @@ fn palette(
 
 fn paint<D: Display, T: ColorTable, H: Dither>(
     tracer: &impl Trace<scene::Number>,
-    raster: Raster,
+    (places, raster): (impl Places, Raster),
     mut painter: Painter<D, T, H>,
     (left, top): (u32, u32),
     mut row: impl FnMut(),
@@ -208,7 +237,8 @@ fn paint<D: Display, T: ColorTable, H: Dither>(
     row();
     let most = painter.light_max();
     for y in 0..raster.height() {
-        let light = Pixels::row(tracer, &scene::CAMERA, raster, y).map(|light| light.levels(most));
+        let light = Pixels::sampled(tracer, &scene::CAMERA, raster, places, y, y + 1);
+        let light = light.map(|light| light.levels(most));
         painter.put_row(left, top + y, light).map_err(DrawError::Display)?;
         row();
     }

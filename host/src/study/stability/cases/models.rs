@@ -77,6 +77,7 @@ pub(super) fn all() -> Vec<Case> {
             models: slice::from_ref(model),
             acne: false, // balls and lamps of these places are in other cases
             thinning: THINNING,
+            spreading: None,
         })
     };
     Model::ALL.iter().flat_map(of).collect()

@@ -1,0 +1,54 @@
+//! Pictures whose samples are added pass by pass.
+
+use rta_core::color::Rgb;
+use rta_core::raster::{Places, Raster};
+use rta_core::sampling::Sobol;
+use rta_core::scalar::Scalar;
+use rta_core::trace::dice::Sample;
+
+use crate::agreement::Agreement;
+
+/// Samples that are added to those that pixels have.
+#[derive(Clone, Copy, Debug)]
+pub struct Pass {
+    /// The samples that pixels have then, and the seed by which rays are spread.
+    pub samples: Sobol,
+    /// How many of them the pixels have already.
+    pub first: u32,
+}
+
+/// A pixel to which samples are added.
+pub struct Added<'s, S: Scalar> {
+    /// Its column and row.
+    pub place: [u32; 2],
+    /// The sum of the light of its samples so far.
+    pub sum: &'s mut Rgb<S::Light>,
+    /// What is told of each sample, where somebody asks whether they agree.
+    pub agreement: Option<&'s mut Agreement>,
+}
+
+/// Pixels to which samples are added.
+pub type Sums<'p, 's, S> = &'p mut dyn Iterator<Item = Added<'s, S>>;
+
+impl Pass {
+    /// Adds the samples of the pixels of a picture on `raster`, which `trace` returns the light of: in the order of their numbers, as a
+    /// picture of as many samples adds them, so that the sums are the same to the last bit.
+    pub(super) fn add<S: Scalar>(
+        self,
+        raster: Raster,
+        sums: Sums<S>,
+        mut trace: impl FnMut((S::Unit, S::Unit), Sample) -> Rgb<S::Light>,
+    ) {
+        for Added { place: [x, y], sum, mut agreement } in sums {
+            let row = Places::row::<S::Unit>(&self.samples, raster, y);
+            for number in self.first..self.samples.samples() {
+                let place = self.samples.place(raster, row, x, number);
+                let light = trace(place, Sample { x, y, number });
+                *sum = self.samples.add(*sum, light);
+                if let Some(agreement) = &mut agreement {
+                    agreement.add(light);
+                }
+            }
+        }
+    }
+}

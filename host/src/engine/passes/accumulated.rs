@@ -1,0 +1,278 @@
+//! The sums of a picture's light in one number format, to which passes add.
+
+use core::sync::atomic::{AtomicUsize, Ordering};
+
+use rayon::ThreadPool;
+use rayon::iter::{IndexedParallelIterator, ParallelIterator};
+use rayon::slice::{ParallelSlice, ParallelSliceMut};
+use rta_core::color::Rgb;
+use rta_core::raster::{Places, Raster};
+use rta_core::sampling::Sobol;
+use rta_core::sampling::pairs::hash;
+use rta_packets::agreement::Agreement;
+use rta_packets::picture::{Added, Pass, Picture, Setup};
+use rta_scenes::narrow::Narrow;
+
+use super::{SCRAMBLES, Sums};
+use crate::engine::single;
+
+/// The error is told by one pixel of each block of so many rows and columns of a large picture.
+const BLOCK: u32 = 4;
+
+/// A small picture has smaller blocks, so that there are about as many.
+const BLOCKS: u32 = 1024;
+
+/// Pixels that a thread adds to before it asks whether the work is to end.
+const CHUNK: usize = 32;
+
+/// What is kept of a pixel's samples beside their sum: nothing, or how far they differ.
+trait Kept: Copy + Default + Send + Sync + 'static {
+    /// Returns what is told of each sample, if something is.
+    fn agreement(&mut self) -> Option<&mut Agreement>;
+
+    /// Returns whether the samples agree within a tolerance.
+    fn agrees(&self, tolerance: u16) -> bool;
+}
+
+impl Kept for () {
+    fn agreement(&mut self) -> Option<&mut Agreement> {
+        None
+    }
+
+    fn agrees(&self, _tolerance: u16) -> bool {
+        false
+    }
+}
+
+impl Kept for Agreement {
+    fn agreement(&mut self) -> Option<&mut Agreement> {
+        Some(self)
+    }
+
+    fn agrees(&self, tolerance: u16) -> bool {
+        self.is_within(tolerance)
+    }
+}
+
+/// A pixel: the sum of the light of its samples, and what else is kept of them.
+#[derive(Clone, Copy)]
+struct Pixel<S: Narrow, K> {
+    sum: Rgb<S::Light>,
+    kept: K,
+}
+
+/// The sums of a picture in the number format `S`.
+struct Accumulated<'e, S: Narrow, K> {
+    picture: &'e dyn Picture<S>,
+    width: usize,
+    pixels: Vec<Pixel<S, K>>,
+    /// Room for the next pass.
+    next: Vec<Pixel<S, K>>,
+    checked: Vec<Checked<S>>,
+    next_checked: Vec<Checked<S>>,
+    tolerance: u16,
+    /// How many samples each pixel has ended with, 0 of those that go on; empty as long as all go on.
+    ended: Vec<u32>,
+}
+
+/// A pixel by which the error is told: its place, and its sums by the other seeds.
+#[derive(Clone, Copy)]
+struct Checked<S: Narrow> {
+    pixel: [u32; 2],
+    sums: [Rgb<S::Light>; SCRAMBLES - 1],
+}
+
+/// Begins the sums of a picture; `None` where there is no memory for them.
+pub(in crate::engine) fn begin<S: Narrow>(
+    picture: &dyn Picture<S>,
+    seed: u32,
+    tolerance: Option<u16>,
+) -> Option<Box<dyn Sums + '_>> {
+    match tolerance {
+        None => Accumulated::<S, ()>::new(picture, checked(picture.setup().raster, seed), 0),
+        Some(tolerance) => Accumulated::<S, Agreement>::new(picture, Vec::new(), tolerance),
+    }
+}
+
+/// Returns the pixels by which the error is told.
+fn checked<S: Narrow>(raster: Raster, seed: u32) -> Vec<Checked<S>> {
+    // Both sides are below 2^16.
+    let side = (raster.width() * raster.height() / BLOCKS).isqrt().clamp(1, BLOCK);
+    let mut checked = Vec::new();
+    for y in (0..raster.height()).step_by(side as usize) {
+        for x in (0..raster.width()).step_by(side as usize) {
+            // A place of its own in each block: what repeats in the picture is met as often as it is there.
+            let [right, down, ..] = hash([x, y, seed, 1]);
+            let pixel = [x + right % side, y + down % side];
+            if pixel[0] < raster.width() && pixel[1] < raster.height() {
+                checked.push(Checked { pixel, sums: [Rgb::BLACK; SCRAMBLES - 1] });
+            }
+        }
+    }
+    checked
+}
+
+impl<'e, S: Narrow, K: Kept> Accumulated<'e, S, K> {
+    #[allow(clippy::new_ret_no_self)] // it is only known by its trait
+    fn new(
+        picture: &'e dyn Picture<S>,
+        checked: Vec<Checked<S>>,
+        tolerance: u16,
+    ) -> Option<Box<dyn Sums + 'e>> {
+        let Setup { raster, .. } = *picture.setup();
+        let [width, height] = [raster.width(), raster.height()].map(|side| side as usize);
+        let black = || {
+            let mut pixels = Vec::new();
+            pixels.try_reserve_exact(width.checked_mul(height)?).ok()?;
+            pixels.resize(width * height, Pixel { sum: Rgb::BLACK, kept: K::default() });
+            Some(pixels)
+        };
+        let next_checked = checked.clone();
+        let (pixels, next) = (black()?, black()?);
+        Some(Box::new(Self {
+            picture,
+            width,
+            pixels,
+            next,
+            checked,
+            next_checked,
+            tolerance,
+            ended: Vec::new(),
+        }))
+    }
+
+    /// Returns whether a pixel takes more samples.
+    fn goes_on(&self, index: usize) -> bool {
+        self.ended.get(index).is_none_or(|&samples| samples == 0)
+    }
+
+    /// Ends the pixels that agree, and whose neighbours do, with the `samples` that all that went on have.
+    fn settle(&mut self, samples: u32) {
+        if self.tolerance == 0 || samples < Agreement::FEWEST {
+            return;
+        }
+        let differs: Vec<_> = (0..)
+            .zip(&self.pixels)
+            .map(|(index, pixel)| self.goes_on(index) && !pixel.kept.agrees(self.tolerance))
+            .collect();
+        let around = |index: usize| {
+            let (x, y) = (index % self.width, index / self.width);
+            let columns = x.saturating_sub(1)..=(x + 1).min(self.width - 1);
+            (y.saturating_sub(1)..=y + 1).any(|y| {
+                let row = differs.get(y * self.width..(y + 1) * self.width).unwrap_or_default();
+                row.get(columns.clone()).is_some_and(|columns| columns.contains(&true))
+            })
+        };
+        let end = |index: usize| match self.ended.get(index) {
+            Some(&ended) if ended > 0 => ended,
+            _ if around(index) => 0,
+            _ => samples,
+        };
+        self.ended = (0..self.pixels.len()).map(end).collect();
+    }
+
+    /// Hands each pixel from row `first` on over with its mean light.
+    fn each<T>(&self, samples: Sobol, first: u32, out: &mut [T], convert: impl Fn(Rgb<S::Light>) -> T) {
+        let first = first as usize * self.width;
+        for (out, (index, pixel)) in out.iter_mut().zip((first..).zip(self.pixels.iter().skip(first))) {
+            let ended = self.ended.get(index).and_then(|&ended| Sobol::new(ended, samples.seed()));
+            *out = convert(ended.unwrap_or(samples).mean(pixel.sum));
+        }
+    }
+}
+
+impl<S: Narrow, K: Kept> Sums for Accumulated<'_, S, K> {
+    fn add(
+        &mut self,
+        [own, others @ ..]: [Pass; SCRAMBLES],
+        pool: &ThreadPool,
+        goes_on: &(dyn Fn() -> bool + Sync),
+        done: &(dyn Fn(usize) + Sync),
+    ) -> bool {
+        let (picture, width, ended) = (self.picture, self.width, &self.ended);
+        let added = AtomicUsize::new(0);
+        let place = |index: usize| {
+            // Both are sides of a raster.
+            [index % width, index / width].map(|side| u32::try_from(side).unwrap_or(u32::MAX))
+        };
+        let takes_more = |index: usize| ended.get(index).is_none_or(|&samples| samples == 0);
+        pool.install(|| {
+            let chunks = self.next.par_chunks_mut(CHUNK).zip(self.pixels.par_chunks(CHUNK)).enumerate();
+            chunks.for_each(|(chunk, (next, pixels))| {
+                if goes_on() {
+                    next.copy_from_slice(pixels);
+                    let more = (chunk * CHUNK..).zip(next.iter_mut()).filter(|(index, _)| takes_more(*index));
+                    picture.add(
+                        own,
+                        &mut more.map(|(index, Pixel { sum, kept })| Added {
+                            place: place(index),
+                            sum,
+                            agreement: kept.agreement(),
+                        }),
+                    );
+                    added.fetch_add(pixels.len(), Ordering::Relaxed);
+                    done(pixels.len());
+                }
+            });
+            let chunks = self.next_checked.par_chunks_mut(CHUNK).zip(self.checked.par_chunks(CHUNK));
+            chunks.for_each(|(next, checked)| {
+                if goes_on() {
+                    next.copy_from_slice(checked);
+                    for (scramble, pass) in others.into_iter().enumerate() {
+                        let sums = next.iter_mut().filter_map(|Checked { pixel, sums }| {
+                            let sum = sums.get_mut(scramble)?;
+                            Some(Added { place: *pixel, sum, agreement: None })
+                        });
+                        picture.add(pass, &mut { sums });
+                    }
+                    added.fetch_add(checked.len(), Ordering::Relaxed);
+                }
+            });
+        });
+        let is_complete = added.into_inner() == self.pixels.len() + self.checked.len();
+        if is_complete {
+            core::mem::swap(&mut self.pixels, &mut self.next);
+            core::mem::swap(&mut self.checked, &mut self.next_checked);
+            self.settle(own.samples.samples());
+        }
+        is_complete
+    }
+
+    fn unsettled(&self) -> usize {
+        (0..self.pixels.len()).filter(|&index| self.goes_on(index)).count()
+    }
+
+    fn taken(&self, all: u32) -> u64 {
+        let taken = |index| self.ended.get(index).copied().filter(|&ended| ended > 0).unwrap_or(all);
+        (0..self.pixels.len()).map(|index| u64::from(taken(index))).sum()
+    }
+
+    #[allow(clippy::cast_precision_loss)] // a picture has fewer than 2^32 pixels
+    fn error(&self, samples: Sobol) -> f64 {
+        let spread = |checked: &Checked<S>| {
+            let [x, y] = checked.pixel.map(|side| side as usize);
+            let own = self.pixels.get(y * self.width + x).map_or(Rgb::BLACK, |pixel| pixel.sum);
+            let light = |sum| samples.mean(sum).map(S::light_to_f64);
+            let [a, b, c] = checked.sums;
+            let lights = [own, a, b, c].map(light);
+            let variance = |register: fn(&Rgb<f64>) -> f64| {
+                let mean = lights.iter().map(register).sum::<f64>() / SCRAMBLES as f64;
+                let squares = lights.iter().map(|light| (register(light) - mean).powi(2));
+                squares.sum::<f64>() / (SCRAMBLES - 1) as f64
+            };
+            (variance(|light| light.r) + variance(|light| light.g) + variance(|light| light.b)) / 3.0
+        };
+        if self.checked.is_empty() {
+            return f64::INFINITY;
+        }
+        (self.checked.iter().map(spread).sum::<f64>() / self.checked.len() as f64).sqrt()
+    }
+
+    fn linear(&self, samples: Sobol, first: u32, out: &mut [Rgb<f32>]) {
+        self.each(samples, first, out, |light| light.map(single::<S>));
+    }
+
+    fn levels(&self, samples: Sobol, first: u32, gun_max: u8, out: &mut [Rgb<u8>]) {
+        self.each(samples, first, out, |light| light.levels(gun_max));
+    }
+}
