@@ -122,20 +122,24 @@ fn write_spread<S: Literal>(out: &mut impl Write, spread: &Spread<S>) -> fmt::Re
 /// Writes the type of the memory of what moves: copies of the lists in which something does.
 fn write_room(out: &mut impl Write, lists: &[List]) -> fmt::Result {
     let moving = "::rta_core::trace::moving";
-    writeln!(
-        out,
-        "\n/// The memory of what moves.\n{ALLOW}\n#[derive(Clone, Copy, Debug)]\npub struct Room {{"
-    )?;
+    // A list of any length has no default of its own.
+    let default = if lists.is_empty() { ", Default" } else { "" };
+    writeln!(out, "\n/// The memory of what moves.\n{ALLOW}\n#[derive(Clone, Copy, Debug{default})]")?;
+    writeln!(out, "pub struct Room {{")?;
     for List { name, path, objects } in lists {
         writeln!(out, "    {}: [::rta_core::{path}<Number>; {}],", name.to_lowercase(), objects.len())?;
     }
-    writeln!(out, "}}\n\nimpl Default for Room {{\n    fn default() -> Self {{\n        Self {{")?;
-    for List { name, .. } in lists {
-        writeln!(out, "            {}: {name},", name.to_lowercase())?;
+    writeln!(out, "}}")?;
+    if !lists.is_empty() {
+        writeln!(out, "\nimpl Default for Room {{\n    fn default() -> Self {{\n        Self {{")?;
+        for List { name, .. } in lists {
+            writeln!(out, "            {}: {name},", name.to_lowercase())?;
+        }
+        writeln!(out, "        }}\n    }}\n}}")?;
     }
     writeln!(
         out,
-        "        }}\n    }}\n}}\n\nimpl {moving}::Room<Number> for Room {{\n    fn copies<'c>(\n        &'c mut self,\n        \
+        "\nimpl {moving}::Room<Number> for Room {{\n    fn copies<'c>(\n        &'c mut self,\n        \
          _: &::rta_core::scene::Scene<'_, Number>,\n        _: &[{moving}::Motion<Number>],\n    \
          ) -> ::rta_core::scene::Copies<'c, Number> {{\n        ::rta_core::scene::Copies {{"
     )?;

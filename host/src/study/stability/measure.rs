@@ -49,8 +49,7 @@ fn measured<S: packets::Format>(case: &Case, samples: usize) -> Outcome {
         let scene = case.stand.place(&case.scene, &mut rng);
         let found = (&mut measured, &mut errors);
         let traced = guarded(|| match case.spreading {
-            Some(spreading) => scattered::block::<S>(case, (&scene, spreading), count, &mut rng, found)
-                .map_err(EngineError::from),
+            Some(spreading) => scattered::block::<S>(case, (&scene, spreading), count, &mut rng, found),
             None => block::<S>(case, &scene, count, &mut rng, found),
         });
         match traced {
