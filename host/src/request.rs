@@ -122,7 +122,7 @@ impl Request {
         if until.is_none() {
             return Ok(self);
         }
-        let sampling = passes(self.sampling, &asked.spreading, &scene.description)?;
+        let sampling = passes(self.sampling, (&asked.spreading, "--until"), &scene.description)?;
         Ok(Self { sampling, until, ..self })
     }
 

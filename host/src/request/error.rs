@@ -110,10 +110,8 @@ pub enum RequestError {
     #[error("{_0} is about rays that are spread, which those of --sampler grid are not")]
     OfSobol(&'static str),
     /// A grid of samples for a picture that is traced in passes.
-    #[error(
-        "--until adds samples to those that are there, and a --sampler grid has all of its samples at once"
-    )]
-    Passes,
+    #[error("{_0} adds samples to those that are there, and a --sampler grid has all of its samples at once")]
+    Passes(&'static str),
     /// An option that spreads rays, for a picture of several wavelengths.
     #[error(
         "{_0} is about rays that are spread, and those of several wavelengths are not; --spectral 0 traces one"

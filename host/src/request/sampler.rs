@@ -68,18 +68,23 @@ pub fn sampler(
     }
 }
 
-/// Returns the sampler of a picture that is traced in passes: that of the options, or a sequence where they would have a grid.
+/// Returns the sampler of a picture that is traced in passes, as `option` has it: that of the options, or a sequence where they would have a
+/// grid.
 ///
 /// # Errors
 /// [`RequestError::Passes`] for a grid that is asked for, [`RequestError::Spectral`] for a picture of several wavelengths.
-pub fn passes(sampler: Sampler, asked: &SpreadingArgs, scene: &Description) -> Result<Sampler, RequestError> {
+pub fn passes(
+    sampler: Sampler,
+    (asked, option): (&SpreadingArgs, &'static str),
+    scene: &Description,
+) -> Result<Sampler, RequestError> {
     if asked.sampler == Some(SamplerKind::Grid) {
-        return Err(RequestError::Passes);
+        return Err(RequestError::Passes(option));
     }
     if is_spectral(scene) {
-        return Err(RequestError::Spectral("passes of samples"));
+        return Err(RequestError::Spectral(option));
     }
-    let samples = Sobol::new(SPREAD, 0).ok_or(RequestError::Passes)?;
+    let samples = Sobol::new(SPREAD, 0).ok_or(RequestError::Passes(option))?;
     let plain = Spreading { samples, lamps: Lamps::Point, split: 1 };
     Ok(Sampler::Sobol(sampler.spreading().copied().unwrap_or(plain)))
 }
@@ -94,7 +99,7 @@ pub fn settling(
     scene: &Description,
 ) -> Result<Sampler, RequestError> {
     let most = asked.samples.map_or(SETTLED, Samples::count);
-    Ok(with_samples(passes(sampler, asked, scene)?, most))
+    Ok(with_samples(passes(sampler, (asked, "--tolerance"), scene)?, most))
 }
 
 /// Returns the sampler with so many samples of its sequence; a grid stays as it is.

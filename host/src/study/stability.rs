@@ -6,6 +6,7 @@
 //! | where their rays start and go | [`aim`], [`body`] |
 //! | numbers rounded to a format and read back | [`exact`] |
 //! | the rays of one case in one format | [`mod@measure`], and `scattered` where they are spread |
+//! | how far its light is off | `errors` |
 //! | points that shadow themselves | [`acne`] |
 //! | panics and overflows | [`guard`] |
 //! | what comes out | [`table`] |
@@ -25,6 +26,7 @@ pub mod acne;
 pub mod aim;
 pub mod body;
 pub mod cases;
+mod errors;
 pub mod exact;
 pub mod guard;
 pub mod measure;

@@ -26,6 +26,7 @@ mod show;
 mod spread_report;
 mod spreading;
 mod textures;
+mod tolerance;
 mod until;
 mod window;
 

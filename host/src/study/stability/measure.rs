@@ -1,7 +1,6 @@
 //! One case in one format, ray by ray beside `f64`.
 
 use fastrand::Rng;
-use rta_core::Scalar;
 use rta_core::color::Rgb;
 use rta_core::needs::Everything;
 use rta_core::range::Admitted;
@@ -19,17 +18,16 @@ use rta_scenes::shading::{AnyModel, Shade, any_model};
 use super::acne;
 use super::aim::Drawn;
 use super::cases::Case;
+use super::errors::Errors;
 use super::exact::rounded;
-use super::guard::{Failure, guarded};
+use super::guard::guarded;
 pub use super::outcome::{Measured, Outcome};
 use super::scattered;
 use super::triple::unit;
-use crate::engine::{EngineError, Format, MAX_DEPTH, single};
+use crate::engine::{EngineError, Format, MAX_DEPTH};
 
 /// Rays from one eye.
 const BLOCK: usize = 256;
-/// The brightest level of a gun of 8 bits.
-const LEVELS: f64 = 255.0;
 
 /// Traces about `samples` rays of a case from its eyes, in `format` and in `f64`.
 #[must_use]
@@ -98,28 +96,6 @@ fn block<S: Shade>(
     Ok(())
 }
 
-/// Differences from `f64` in levels.
-pub(super) struct Errors(Vec<f64>);
-
-/// The light of a ray from the eye, and what it meets.
-type Traced<S> = (Result<Rgb<<S as Scalar>::Light>, Failure>, Option<Object>);
-
-impl Errors {
-    /// Takes a ray's light in a format beside that in `f64`.
-    pub(super) fn take<S: Shade>(&mut self, tested: Traced<S>, exact: Traced<f64>, measured: &mut Measured) {
-        match (tested, exact) {
-            ((Ok(light), object), (Ok(expected), twin)) => {
-                match difference(light.map(single::<S>), expected.map(single::<f64>)) {
-                    None => measured.non_finite += 1,
-                    Some(_) if object != twin => measured.wrong += 1,
-                    Some(levels) => self.0.push(levels),
-                }
-            }
-            ((Err(failure), _), _) | (_, (Err(failure), _)) => measured.failed(failure),
-        }
-    }
-}
-
 /// Returns a direction in the format, and its exact value in `f64`.
 fn directions<S: Shade>(drawn: Drawn, tested: &Side<S>, exact: &Side<f64>) -> (UnitVec3<S>, UnitVec3<f64>) {
     match drawn {
@@ -134,16 +110,6 @@ fn directions<S: Shade>(drawn: Drawn, tested: &Side<S>, exact: &Side<f64>) -> (U
             (Vector::new(x, y, z), Vector::new(u, v, w))
         }
     }
-}
-
-/// Returns how far the worst register is off on a display of 256 levels, or none if a register is not finite. Light that `f64`
-/// still holds may be beyond `f32`, to which both were converted.
-fn difference(got: Rgb<f32>, want: Rgb<f32>) -> Option<f64> {
-    let levels = got.zip(want, |got, want| {
-        let shown = |light: f32| f64::from(light).clamp(0.0, 1.0) * LEVELS;
-        (got.is_finite() && !want.is_nan()).then(|| (shown(got) - shown(want)).abs())
-    });
-    Some(levels.r?.max(levels.g?).max(levels.b?))
 }
 
 /// A tracer in one format, for any illumination model.

@@ -17,9 +17,9 @@ use rta_scenes::narrow::Narrow;
 use rta_scenes::sampler::{Sampler, Spreading};
 
 use super::cases::Case;
+use super::errors::Errors;
 use super::exact::rounded;
 use super::guard::guarded;
-use super::measure::Errors;
 use super::outcome::Measured;
 
 /// Pixels of a side: each sample is of another pixel, whose numbers are its own.
