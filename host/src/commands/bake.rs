@@ -26,7 +26,7 @@ use crate::request::scene_file::SceneFile;
 /// Runs `rta bake`: writes the source of a scene.
 ///
 /// # Errors
-/// Those of reading the scene and of writing the source, and [`RequestError::Refused`](crate::request::error::RequestError::Refused).
+/// Those of reading the scene and of writing the source, and [`RequestError::Refused`].
 pub fn run(args: &BakeArgs) -> Result<(), Error> {
     let reading = Reading::from(args.reading);
     let reading = Reading { texels: reading.texels.or(Some(bake::TEXELS)), ..reading };
