@@ -100,7 +100,9 @@ impl<S: Scalar> Medium<S> {
         let least = S::at_most(LEAST_HEIGHT);
         let least = if lamp.radius > least { lamp.radius } else { least };
         let height = if height < least { least } else { height };
-        let sight = Sight::<S>::new(height, -foot, length - foot, self.halvings);
+        // From a lamp behind the start to the end of a long ray it may be farther than the format holds.
+        let end = if foot < S::ZERO && length > S::FAR + foot { S::FAR } else { length - foot };
+        let sight = Sight::<S>::new(height, -foot, end, self.halvings);
         let none = S::ZERO.positive();
         let mut sum = Rgb::new(none, none, none);
         sight.places(&mut |along, away| {
