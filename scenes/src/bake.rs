@@ -163,7 +163,7 @@ pub fn bake(path: impl AsRef<Path>, format: Format) -> Result<PathBuf, BakeError
     bake_by(path, |scene| Recipe::of(format, scene))
 }
 
-/// The same by a recipe.
+/// Bakes the scene file `path` into `OUT_DIR`, as [`bake`] does, by `recipe`.
 ///
 /// # Errors
 /// Whatever keeps the scene from being baked.
@@ -171,7 +171,7 @@ pub fn bake_with(path: impl AsRef<Path>, recipe: &Recipe) -> Result<PathBuf, Bak
     bake_by(path, |_| *recipe)
 }
 
-/// The same by a recipe for the scene.
+/// Bakes the scene file `path` into `OUT_DIR`, as [`bake`] does, by the recipe that `recipe` returns for the scene.
 ///
 /// # Errors
 /// Whatever keeps the scene from being baked.

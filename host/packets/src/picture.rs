@@ -14,7 +14,7 @@ use rta_core::scalar::Unit;
 use rta_core::scene::Limits;
 use rta_core::trace::dice::Sample;
 use rta_core::trace::{Observer, Trace, Tracer};
-use rta_core::{Q16, Q20, Scalar};
+use rta_core::{Q16, Q20};
 use rta_scenes::accelerator::bvh;
 use rta_scenes::description::{Air, Description};
 use rta_scenes::model::Model;
@@ -24,6 +24,7 @@ use rta_scenes::shading::{Shade, Wavelengths};
 
 use crate::cache::ShadowCache;
 use crate::packets::Packets;
+pub use crate::rows::PutRow;
 use crate::rows::Rows;
 
 mod added;
@@ -58,9 +59,6 @@ pub struct Setup {
     /// Samples of a pixel. The light of one in its middle is kept as it is; of several it is the mean of displayable light.
     pub sampling: Sampler,
 }
-
-/// What takes the light of a row of pixels.
-pub type PutRow<'a, S> = &'a mut dyn FnMut(&[Rgb<<S as Scalar>::Light>]);
 
 /// A picture in the number format `S`. Rows may be asked for in any order, from any number of threads.
 pub trait Picture<S: Narrow>: Send + Sync {

@@ -7,13 +7,30 @@ use rta_core::illumination::Illumination;
 use rta_core::needs::Needs;
 use rta_core::raster::{Pixels, Raster};
 use rta_core::sampling::{Center, Places};
-use rta_core::trace::Tracer;
+use rta_core::scalar::Scalar;
+use rta_core::trace::{Trace, Tracer};
 use rta_scenes::sampler::Sampler;
 
 use crate::four::geometry::through_plane;
 use crate::four::trace::Trees4;
 use crate::number::ToF32;
 use crate::packets::Packets;
+
+/// What takes the light of a row of pixels.
+pub type PutRow<'a, S> = &'a mut dyn FnMut(&[Rgb<<S as Scalar>::Light>]);
+
+/// Calls `put` with the light of each of the rows from `first` to before `end`, as far as the raster has them.
+pub(crate) fn put_rows<S: Scalar, T: Trace<S>>(
+    tracer: &T,
+    camera: &Camera<S>,
+    (raster, places): (Raster, impl Places),
+    (first, end): (u32, u32),
+    put: PutRow<S>,
+) {
+    for y in first..end.min(raster.height()) {
+        put(&Pixels::sampled(tracer, camera, raster, places, y, y + 1).collect::<Vec<_>>());
+    }
+}
 
 /// A number format that rows of a picture can be traced in.
 pub trait Rows: ToF32 {

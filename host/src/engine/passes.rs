@@ -46,7 +46,8 @@ impl From<Ended> for BandsError {
 ///
 /// With a tolerance a pixel ends early: after 4, 8, 16 ... samples, once its own samples and those of its eight neighbours agree within it
 /// ([`Agreement::is_within`](rta_packets::agreement::Agreement::is_within)). What a pixel's few samples have missed, an edge or a small
-/// thing, a neighbour has mostly met. Such a picture has no estimated error, and 28 bytes more a pixel.
+/// thing, a neighbour has mostly met. Such a picture has no estimated error, and 60 bytes
+/// more a pixel.
 pub struct Passes<'e> {
     sums: Box<dyn Sums + 'e>,
     samples: u32,
@@ -118,6 +119,12 @@ impl Passes<'_> {
         self.sums.taken(self.samples)
     }
 
+    /// Returns whether another pass is to come: with fewer samples than `most`, an estimated error above `error`, and pixels that go on.
+    #[must_use]
+    pub fn goes_on(&self, most: u32, error: f64) -> bool {
+        self.samples < most && self.error > error && !self.is_settled()
+    }
+
     /// Returns the estimated error: rms of linear light, from 0 for black to 1 for white, over all pixels and their three registers. It is
     /// infinite before the first pass, and of a picture whose pixels end early.
     #[must_use]
@@ -134,7 +141,8 @@ impl Passes<'_> {
     /// Adds the pass after which each pixel has [`Passes::next`] samples. `done` is told of pixels that are traced, by any thread.
     ///
     /// # Errors
-    /// [`Ended::Interrupted`] soon after `stop` becomes true, [`Ended::Late`] soon after the `deadline`; then the picture is as it was.
+    /// [`Ended::Interrupted`] soon after `stop` becomes true, [`Ended::Late`] soon after the `deadline`, which the first pass has none of; then
+    /// the picture is as it was.
     pub fn pass(
         &mut self,
         most: u32,
@@ -144,6 +152,8 @@ impl Passes<'_> {
         done: &(dyn Fn(usize) + Sync),
     ) -> Result<(), Ended> {
         let (next, first) = (self.next(most), self.samples);
+        // There is a picture, however short the time.
+        let deadline = deadline.filter(|_| first > 0);
         let is_late = || deadline.is_some_and(|deadline| Instant::now() >= deadline);
         let goes_on = || !stop.load(Ordering::Relaxed) && !is_late();
         let seeds: [u32; SCRAMBLES] = core::array::from_fn(|scramble| match u32::try_from(scramble) {

@@ -10,15 +10,18 @@ pub struct Cutting {
 }
 
 impl Default for Cutting {
-    /// Twice, where corners differ by more than a sixteenth.
+    /// Twice, with [`Cutting::TOLERANCE`].
     fn default() -> Self {
-        Self { depth: 2, tolerance: 16 }
+        Self { depth: 2, tolerance: Self::TOLERANCE }
     }
 }
 
 impl Cutting {
     /// The largest depth.
     pub const DEEPEST: u8 = 4;
+
+    /// The usual tolerance: a sixteenth of white.
+    pub const TOLERANCE: u8 = 16;
 
     /// Returns a depth and a tolerance in 256ths of white; `None` where the depth is above [`Cutting::DEEPEST`].
     pub const fn new(depth: u8, tolerance: u8) -> Option<Self> {

@@ -148,9 +148,6 @@ pub struct AdaptiveValue(pub Adaptive);
 #[error("expected whitted, whitted:K with a depth K from 0 to {}, or mitchell", Cutting::DEEPEST)]
 pub struct NotAdaptive;
 
-/// Corners that differ by more than this many 256ths of white are not alike.
-const TOLERANCE: u8 = 16;
-
 impl FromStr for AdaptiveValue {
     type Err = NotAdaptive;
 
@@ -160,7 +157,7 @@ impl FromStr for AdaptiveValue {
             ("whitted", _) => Ok(Self(Adaptive::Whitted(Cutting::default()))),
             ("mitchell", _) => Ok(Self(Adaptive::Mitchell)),
             (_, Some(depth)) => {
-                let cutting = depth.parse().ok().and_then(|depth| Cutting::new(depth, TOLERANCE));
+                let cutting = depth.parse().ok().and_then(|depth| Cutting::new(depth, Cutting::TOLERANCE));
                 cutting.map(|cutting| Self(Adaptive::Whitted(cutting))).ok_or(NotAdaptive)
             }
             _ => Err(NotAdaptive),

@@ -106,6 +106,16 @@ impl<S: Narrow> Antialiased<S> {
         Self { single, setup, adaptive, objects }
     }
 
+    /// Calls `put` with each row from `first` to before `end` that `next` has added to an empty one.
+    fn each(&self, (first, end): (u32, u32), put: PutRow<S>, mut next: impl FnMut(&mut Vec<Rgb<S::Light>>)) {
+        let mut row = Vec::new();
+        for _ in first..end.min(self.setup.raster.height()) {
+            next(&mut row);
+            put(&row);
+            row.clear();
+        }
+    }
+
     /// Draws rows from `first` to before `end` with pixels cut.
     fn cut(
         &self,
@@ -122,12 +132,9 @@ impl<S: Narrow> Antialiased<S> {
         let view = (&self.scene().camera, raster);
         let rows = Corners::<S, _, PLACES>::new(&rays, view, cutting, &mut above, first)?;
         let mut rows = rows.forced(&small).sharing(&mut edges);
-        let mut row = Vec::with_capacity(width);
-        for _ in first..end.min(raster.height()) {
+        self.each((first, end), put, |row| {
             rows.next_row(|light| row.push(light));
-            put(&row);
-            row.clear();
-        }
+        });
         Some(())
     }
 
@@ -144,12 +151,9 @@ impl<S: Narrow> Antialiased<S> {
         let mut memory = vec![Rgb::BLACK; 3 * width];
         let view = (&self.scene().camera, raster);
         let mut rows = Contrasts::new(&rays, view, SEED, &mut memory, first)?;
-        let mut row = Vec::with_capacity(width);
-        for _ in first..end.min(raster.height()) {
+        self.each((first, end), put, |row| {
             rows.next_row(|light| row.push(light));
-            put(&row);
-            row.clear();
-        }
+        });
         Some(())
     }
 }

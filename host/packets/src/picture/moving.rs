@@ -6,7 +6,7 @@ use rta_core::color::Rgb;
 use rta_core::illumination::Illumination;
 use rta_core::needs::Everything;
 use rta_core::range::Admitted;
-use rta_core::raster::{Pixels, Raster};
+use rta_core::raster::Raster;
 use rta_core::scalar::Unit;
 use rta_core::trace::dice::Sample;
 use rta_core::trace::moving::{self, Memory};
@@ -19,6 +19,7 @@ use rta_scenes::sampler::Spreading;
 
 use super::{Format, MAX_DEPTH, Modelled, Pass, Picture, PutRow, Setup, Sums};
 use crate::cache::ShadowCache;
+use crate::rows::put_rows;
 
 /// A picture in which something moves; `still` is the one of the middle of the time.
 pub(super) struct Moving<S: Format, M> {
@@ -53,10 +54,7 @@ impl<S: Format, M: Illumination<S> + Clone> Picture<S> for Moving<S, M> {
         let raster = self.setup().raster;
         let (camera, samples) = (&self.scene.camera, self.spreading.samples);
         self.with_tracer(samples.seed(), |tracer| {
-            for y in first..end.min(raster.height()) {
-                let row = Pixels::sampled(tracer, camera, raster, samples, y, y + 1);
-                put(&row.collect::<Vec<_>>());
-            }
+            put_rows(tracer, camera, (raster, samples), (first, end), put);
         });
     }
 

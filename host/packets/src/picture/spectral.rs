@@ -2,7 +2,7 @@
 
 use rta_core::color::Rgb;
 use rta_core::needs::Everything;
-use rta_core::raster::{Pixels, Raster};
+use rta_core::raster::Raster;
 use rta_core::scalar::Unit;
 use rta_core::trace::dice::Sample;
 use rta_core::trace::{Observer, Trace};
@@ -13,6 +13,7 @@ use rta_scenes::shading::{AnySpectrum, Wavelengths};
 use super::{Format, MAX_DEPTH, Picture, PutRow, Ready, Setup};
 use crate::cache::ShadowCache;
 use crate::packets::Packets;
+use crate::rows::put_rows;
 
 /// A picture whose light depends on the wavelength.
 pub(super) struct Spectral<S: Format> {
@@ -32,14 +33,9 @@ impl<S: Format> Spectral<S> {
         self.wavelengths.with_tracer(&self.ready.scene, &admitted, (depth, cutoff), draw).ok()
     }
 
-    fn traced(&self, raster: Raster, places: Sampler, (first, end): (u32, u32), put: PutRow<S>) {
+    fn traced(&self, raster: Raster, places: Sampler, rows: (u32, u32), put: PutRow<S>) {
         let camera = &self.ready.scene.camera;
-        self.with_tracer(|tracer| {
-            for y in first..end.min(raster.height()) {
-                let row = Pixels::sampled(tracer, camera, raster, places, y, y + 1);
-                put(&row.collect::<Vec<_>>());
-            }
-        });
+        self.with_tracer(|tracer| put_rows(tracer, camera, (raster, places), rows, put));
     }
 }
 

@@ -3,7 +3,7 @@
 
 use rta_core::color::Rgb;
 use rta_core::illumination::Illumination;
-use rta_core::raster::{Pixels, Raster};
+use rta_core::raster::Raster;
 use rta_core::trace::dice::Sample;
 use rta_core::trace::{Distributed, Observer, Trace};
 use rta_scenes::narrow::Narrowed;
@@ -12,6 +12,7 @@ use rta_scenes::sampler::Spreading;
 use super::{Format, MAX_DEPTH, Modelled, Pass, Picture, PutRow, Setup, Sums};
 use crate::cache::ShadowCache;
 use crate::packets::Packets;
+use crate::rows::put_rows;
 
 /// A picture whose rays are spread as `spreading` says; `still` is the one whose rays are not.
 pub(super) struct Spread<S: Format, M> {
@@ -39,10 +40,7 @@ impl<S: Format, M: Illumination<S> + Clone> Picture<S> for Spread<S, M> {
         let raster = self.setup().raster;
         let (camera, samples) = (&self.scene().camera, self.spreading.samples);
         self.with_tracer(samples.seed(), |tracer| {
-            for y in first..end.min(raster.height()) {
-                let row = Pixels::sampled(tracer, camera, raster, samples, y, y + 1);
-                put(&row.collect::<Vec<_>>());
-            }
+            put_rows(tracer, camera, (raster, samples), (first, end), put);
         });
     }
 

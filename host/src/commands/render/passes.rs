@@ -68,9 +68,7 @@ pub fn trace<'e>(
         Goal::Settled(_) => engine.settings().sampling.samples(),
     };
     let mut outcome = Ok(());
-    while outcome.is_ok() && passes.error() > enough && passes.samples() < most && !passes.is_settled() {
-        // There is a picture, however short the time.
-        let deadline = deadline.filter(|_| passes.samples() > 0);
+    while outcome.is_ok() && passes.goes_on(most, enough) {
         outcome = pass(&mut passes, (size, most), &pool, (stop, deadline), is_quiet);
     }
     let is_interrupted = outcome == Err(Ended::Interrupted);

@@ -53,8 +53,7 @@ impl Passing {
     ) -> Result<(), Error> {
         let deadline = self.time.and_then(|time| Instant::now().checked_add(time));
         let mut passes = engine.passes().ok_or(PictureError::Memory(size))?;
-        while passes.samples() < self.most && passes.error() > self.error {
-            let deadline = deadline.filter(|_| passes.samples() > 0);
+        while passes.goes_on(self.most, self.error) {
             match passes.pass(self.most, pool, stop, deadline, &|_| {}) {
                 Ok(()) => {}
                 Err(Ended::Late) => break,

@@ -82,6 +82,11 @@ struct Checked<S: Narrow> {
     sums: [Rgb<S::Light>; SCRAMBLES - 1],
 }
 
+/// Returns whether a pixel takes more samples; `ended` is [`Accumulated::ended`].
+fn takes_more(ended: &[u32], index: usize) -> bool {
+    ended.get(index).is_none_or(|&samples| samples == 0)
+}
+
 /// Begins the sums of a picture; `None` where there is no memory for them.
 pub(in crate::engine) fn begin<S: Narrow>(
     picture: &dyn Picture<S>,
@@ -141,11 +146,6 @@ impl<'e, S: Narrow, K: Kept> Accumulated<'e, S, K> {
         }))
     }
 
-    /// Returns whether a pixel takes more samples.
-    fn goes_on(&self, index: usize) -> bool {
-        self.ended.get(index).is_none_or(|&samples| samples == 0)
-    }
-
     /// Ends the pixels that agree, and whose neighbours do, with the `samples` that all that went on have.
     fn settle(&mut self, samples: u32) {
         if self.tolerance == 0 || samples < Agreement::FEWEST {
@@ -153,7 +153,7 @@ impl<'e, S: Narrow, K: Kept> Accumulated<'e, S, K> {
         }
         let differs: Vec<_> = (0..)
             .zip(&self.pixels)
-            .map(|(index, pixel)| self.goes_on(index) && !pixel.kept.agrees(self.tolerance))
+            .map(|(index, pixel)| takes_more(&self.ended, index) && !pixel.kept.agrees(self.tolerance))
             .collect();
         let around = |index: usize| {
             let (x, y) = (index % self.width, index / self.width);
@@ -195,13 +195,13 @@ impl<S: Narrow, K: Kept> Sums for Accumulated<'_, S, K> {
             // Both are sides of a raster.
             [index % width, index / width].map(|side| u32::try_from(side).unwrap_or(u32::MAX))
         };
-        let takes_more = |index: usize| ended.get(index).is_none_or(|&samples| samples == 0);
         pool.install(|| {
             let chunks = self.next.par_chunks_mut(CHUNK).zip(self.pixels.par_chunks(CHUNK)).enumerate();
             chunks.for_each(|(chunk, (next, pixels))| {
                 if goes_on() {
                     next.copy_from_slice(pixels);
-                    let more = (chunk * CHUNK..).zip(next.iter_mut()).filter(|(index, _)| takes_more(*index));
+                    let more =
+                        (chunk * CHUNK..).zip(next.iter_mut()).filter(|(index, _)| takes_more(ended, *index));
                     picture.add(
                         own,
                         &mut more.map(|(index, Pixel { sum, kept })| Added {
@@ -239,7 +239,7 @@ impl<S: Narrow, K: Kept> Sums for Accumulated<'_, S, K> {
     }
 
     fn unsettled(&self) -> usize {
-        (0..self.pixels.len()).filter(|&index| self.goes_on(index)).count()
+        (0..self.pixels.len()).filter(|&index| takes_more(&self.ended, index)).count()
     }
 
     fn taken(&self, all: u32) -> u64 {

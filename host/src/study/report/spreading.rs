@@ -131,8 +131,8 @@ fn ways(has_area_lamp: bool) -> Vec<Way> {
         (["sobol", "point", "-", "-"], each(&sobol(Lamps::Point, 1))),
     ];
     for (depth, name) in (0..).zip(["whitted:0", "whitted:1", "whitted:2", "whitted:3"]) {
-        let cutting =
-            Cutting::new(depth, TOLERANCE).map(|cutting| Sampler::Adaptive(Adaptive::Whitted(cutting)));
+        let cutting = Cutting::new(depth, Cutting::TOLERANCE)
+            .map(|cutting| Sampler::Adaptive(Adaptive::Whitted(cutting)));
         ways.push((["-", "point", name, "-"], cutting.map(|cutting| (1, cutting)).into_iter().collect()));
     }
     ways.push((["-", "point", "mitchell", "-"], vec![(1, Sampler::Adaptive(Adaptive::Mitchell))]));
@@ -148,9 +148,6 @@ fn ways(has_area_lamp: bool) -> Vec<Way> {
     }
     ways
 }
-
-/// Corners that differ by more than this many 256ths of white are not alike, as `--aa` has it.
-const TOLERANCE: u8 = 16;
 
 /// A scene about to be traced in one way after the other.
 struct Scene<'a> {
