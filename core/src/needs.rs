@@ -110,6 +110,8 @@ needs! {
     BUMPS bumps,
     /// Coats whose mirror rays see the sky alone.
     SURROUNDINGS surroundings,
+    /// Coats that send out light by themselves.
+    EMISSION emission,
     /// Triangles whose normals are not mixed in space: [`Mesh`](crate::texture::Mesh); they need [`Needs::NORMALS`] and [`Needs::COATS`].
     MESHES meshes,
     /// A picture of the sky.

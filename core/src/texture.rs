@@ -1,4 +1,5 @@
-//! What covers a material: its pattern of colours, its bumps, and how its mirror rays and its corners are treated.
+//! What covers a material: its pattern of colours, its bumps, the light that it sends out, and how its mirror rays and its corners are
+//! treated.
 //!
 //! A [`Coat`] belongs to the number of a material, as a model's own rows do, so objects hold nothing more. It acts on the surface that a ray
 //! has met, before any illumination model is asked, and so composes with all of them. A program whose [`Needs`] have no
@@ -33,6 +34,8 @@ pub struct Coat<S: Scalar> {
     pub bump: Option<Bump<S>>,
     /// Whether mirror rays see the sky alone, and no things (Blinn and Newell 1976).
     pub surroundings: bool,
+    /// The radiance that the outside of the surface sends out by itself.
+    pub emission: Rgb<S::Light>,
     /// How triangles with normals are shaded.
     pub shading: Shading,
     /// The unit direction of view, where rays from the eye mix normals or light of vertices on the screen, as a scan line does; without it they
@@ -42,8 +45,14 @@ pub struct Coat<S: Scalar> {
 
 impl<S: Scalar> Coat<S> {
     /// Nothing.
-    pub const PLAIN: Self =
-        Self { texture: None, bump: None, surroundings: false, shading: Shading::Normals, view: None };
+    pub const PLAIN: Self = Self {
+        texture: None,
+        bump: None,
+        surroundings: false,
+        emission: Rgb::BLACK,
+        shading: Shading::Normals,
+        view: None,
+    };
 }
 
 /// A pattern at its place.

@@ -265,6 +265,9 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Acceler
         }
         observer.hit(hit.as_ref(), Some(surface));
         let mut light = ambient::<S, M, N>(&self.model, surface, scene.scene.ambient);
+        if N::EMISSION && !scene.scene.coats.is_empty() {
+            light = light.plus(scene.emitted(surface));
+        }
         if N::LAMPS && self.model.is_lit::<N>(surface) {
             let lamps = if N::SEVERAL_LAMPS { scene.scene.lamps.len() } else { 1 };
             for (number, lamp) in scene.scene.lamps.iter().take(lamps).enumerate() {

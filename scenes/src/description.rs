@@ -14,6 +14,7 @@ mod details;
 mod dispersion;
 mod material;
 mod path;
+mod quad;
 mod settings;
 mod texture;
 
@@ -28,6 +29,7 @@ pub use details::{Detail, Details, LampShape};
 pub use dispersion::Dispersion;
 pub use material::{Coefficients, Edge, Kind, Material, Slope};
 pub use path::{Journey, Keyframe, Path};
+pub use quad::{Quad, bilinear, cut};
 pub use settings::{ModelOption, Settings};
 pub use texture::{Axis, Pattern, Pixels, Texture};
 
@@ -46,6 +48,8 @@ pub struct Description {
     pub cones: Vec<Cone>,
     /// Triangles.
     pub triangles: Vec<Triangle>,
+    /// Quads, in the order of their triangles.
+    pub quads: Vec<Quad>,
     /// Infinite planes.
     pub planes: Vec<Plane>,
     /// Lamps.
@@ -274,6 +278,7 @@ impl Description {
             spheres: Vec::new(),
             cones: Vec::new(),
             triangles: Vec::new(),
+            quads: Vec::new(),
             planes: Vec::new(),
             lamps: Vec::new(),
             materials: Vec::new(),

@@ -33,6 +33,7 @@ mod names;
 mod nearest;
 mod object;
 mod path;
+mod quad;
 mod said;
 mod statements;
 mod table;

@@ -46,19 +46,29 @@ impl Spreading {
     /// of samples where the scene has none, a power of two.
     #[must_use]
     pub fn of(scene: &Description, lamps: Lamps, samples: u32) -> Option<Self> {
+        let lamps = if lamps == Lamps::Point { self::lamps(scene) } else { lamps };
         let spreads = lamps != Lamps::Point && !is_spectral(scene) || spreads(scene, scene.optics.aperture);
         let samples = Sobol::new(scene.settings.samples.unwrap_or(samples), 0)?;
         spreads.then_some(Self { samples, lamps, split: 1 })
     }
 }
 
-/// Returns whether something in a scene spreads rays by itself, seen by a lens of the size `aperture`, if there is one: that lens, motion, or
-/// a rough material; nothing in a picture of several wavelengths.
+/// Returns how the lamps of a scene are asked where nobody says more: as points, or, where [quads](crate::description::Quad) emit light, at
+/// places that differ from point to point.
+#[must_use]
+pub fn lamps(scene: &Description) -> Lamps {
+    if scene.has_emitters() { Lamps::Area } else { Lamps::Point }
+}
+
+/// Returns whether something in a scene spreads rays by itself, seen by a lens of the size `aperture`, if there is one: that lens, motion,
+/// a quad that emits light, or a rough material; nothing in a picture of several wavelengths.
 #[must_use]
 pub fn spreads(scene: &Description, aperture: Option<f64>) -> bool {
     let is_rough = |own: &Material| own.roughness.is_some_and(|roughness| roughness > 0.0);
     let has_lens = aperture.is_some_and(|aperture| aperture > 0.0);
-    !is_spectral(scene) && (has_lens || scene.has_motion() || scene.materials.iter().any(is_rough))
+    let has_emitters = scene.has_emitters();
+    !is_spectral(scene)
+        && (has_lens || has_emitters || scene.has_motion() || scene.materials.iter().any(is_rough))
 }
 
 /// Returns whether the picture of a scene has several wavelengths, whose rays are not spread.

@@ -1,5 +1,6 @@
 //! Finds which constants of [`Needs`] a scene uses; a program that draws only this scene can set the others to false.
 
+use rta_core::color::Rgb;
 use rta_core::material::{Finish, Material};
 use rta_core::needs::{Everything, Needs, Used};
 use rta_core::scalar::{Scalar, Unit};
@@ -42,6 +43,7 @@ pub fn by<S: Scalar>(scene: &Scene<S>, specular: bool) -> Used {
         (used.bumps, used.normals) = (used.bumps | is_bumped, used.normals | is_bumped);
         used.meshes |= used.normals && (coat.shading != Shading::Normals || coat.view.is_some());
         used.surroundings |= coat.surroundings && used.mirror;
+        used.emission |= coat.emission != Rgb::BLACK;
         let patterns = coat.texture.iter().chain(coat.bump.iter().map(|bump| &bump.texture));
         for texture in patterns {
             match texture.pattern {

@@ -1,6 +1,7 @@
 //! Surfaces in the coats of their materials.
 
 use super::World;
+use crate::color::Rgb;
 use crate::needs::Needs;
 use crate::ray::RayKind;
 use crate::scalar::vector::{LengthVector, UnitVec3, UnitVector, Vec3, Vector};
@@ -21,6 +22,15 @@ impl<'a, S: Scalar> World<'a, S> {
             let mut covered = *surface;
             self.put_on::<N>(&mut covered, object, kind);
             *surface = covered;
+        }
+    }
+
+    /// Returns the radiance that a surface sends out by itself; none on its inside.
+    #[inline(never)] // scenes without coats do not pay for it
+    pub fn emitted(&self, surface: &Surface<S>) -> Rgb<S::Light> {
+        match self.scene.coats.get(usize::from(surface.number)) {
+            Some(coat) if !surface.inside => coat.emission,
+            _ => Rgb::BLACK,
         }
     }
 

@@ -6,7 +6,7 @@ use rta_args::spreading::{SamplerKind, SpreadingArgs};
 use rta_args::value::sampling::{AdaptiveValue, LampsValue, Samples};
 use rta_core::sampling::{Places, Sobol};
 use rta_scenes::description::Description;
-use rta_scenes::sampler::{Lamps, Sampler, Spreading, is_spectral, spreads};
+use rta_scenes::sampler::{Lamps, Sampler, Spreading, is_spectral, lamps as natural_lamps, spreads};
 
 use super::error::RequestError;
 
@@ -63,6 +63,10 @@ pub fn sampler(
         (SamplerKind::Sobol, _) => {
             let samples = samples.map_or(several, Samples::count);
             let samples = Sobol::new(samples, spread.seed.unwrap_or(0)).ok_or(RequestError::OfGrid)?;
+            let lamps = match (spread.lamps, scene) {
+                (None, Some(scene)) => natural_lamps(scene),
+                _ => lamps,
+            };
             Ok(Sampler::Sobol(Spreading { samples, lamps, split: spread.split.unwrap_or(1) }))
         }
     }

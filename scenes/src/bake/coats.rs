@@ -4,7 +4,7 @@ use core::fmt::{self, Write};
 
 use rta_core::texture::{Bump, Coat, Image, Pattern, Texture};
 
-use super::literal::{Literal, color, direction, length};
+use super::literal::{Literal, color, direction, length, light};
 use crate::narrow::Narrowed;
 
 /// Words in a line.
@@ -13,7 +13,7 @@ const A_LINE: usize = 12;
 pub(super) fn write<S: Literal>(out: &mut impl Write, scene: &Narrowed<S>) -> fmt::Result {
     let path = "::rta_core::texture::Coat<Number>";
     writeln!(out, "    static COATS: [{path}; {}] = [", scene.coats.len())?;
-    for Coat { texture, bump, surroundings, shading, view } in &scene.coats {
+    for Coat { texture, bump, surroundings, emission, shading, view } in &scene.coats {
         let texture = option(texture.as_ref().map(self::texture));
         let bump = option(bump.as_ref().map(|Bump { texture, height }| {
             let (texture, height) = (self::texture(texture), length(*height));
@@ -22,8 +22,9 @@ pub(super) fn write<S: Literal>(out: &mut impl Write, scene: &Narrowed<S>) -> fm
         let view = option(view.map(direction::<S>));
         writeln!(
             out,
-            "        ::rta_core::texture::Coat {{ texture: {texture}, bump: {bump}, surroundings: {surroundings}, \
-             shading: ::rta_core::texture::Shading::{shading:?}, view: {view} }},"
+            "        ::rta_core::texture::Coat {{ texture: {texture}, bump: {bump}, surroundings: {surroundings}, emission: {}, \
+             shading: ::rta_core::texture::Shading::{shading:?}, view: {view} }},",
+            light::<S>(*emission)
         )?;
     }
     writeln!(out, "    ];\n    static POOL: [u32; {}] = [", scene.pool.len())?;

@@ -51,6 +51,8 @@ pub struct Material {
     pub edge: Option<Edge>,
     /// Whether it is a thin wall: light goes straight through.
     pub thin: bool,
+    /// The radiance that its outside sends out by itself, linear RGB, each at least 0.
+    pub emits: Option<[f64; 3]>,
     /// Whether its mirror rays see the sky alone, and no things.
     pub surroundings: bool,
     /// Name of the texture that gives its colour.

@@ -32,7 +32,8 @@ pub(super) fn narrow<S: Narrow>(
     let forward = description.camera.direction().filter(|_| description.details.scanline);
     let view = forward.map(super::triangle::direction::<S>);
     for (number, (own, &shading)) in said.iter().zip(shadings).enumerate() {
-        let coat = Coat { shading, view, ..pool.coat(own)? };
+        let emission = Checker::<S>::named("what a material emits").light(own.emits.unwrap_or_default())?;
+        let coat = Coat { shading, view, emission, ..pool.coat(own)? };
         if coat != Coat::PLAIN {
             coats.resize(number, Coat::PLAIN);
             coats.push(coat);

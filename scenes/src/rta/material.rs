@@ -69,6 +69,7 @@ impl<'a> Reader<'a> {
             let exponent = u8::try_from(edge.whole(0)).unwrap_or(1);
             made.edge = Some(Edge { exponent, least: edge.number(1), most: edge.number(2) });
         }
+        made.emits = said.triple("emits").or(made.emits);
         made.thin |= said.has("thin");
         made.surroundings |= said.has("surroundings");
         if said.has("slope") {

@@ -66,13 +66,15 @@ impl<'a> Reader<'a> {
                 scene.planes.push(Plane { point: position, normal, color, surface, line });
                 Object::Plane(next(&scene.planes) - 1)
             }
+            "quad" => return self.quad(said, surface, color),
+            "box" => return self.cuboid(said, surface, color),
             _ => return self.polygon(said, surface, color),
         };
         self.detail(said, object, None)
     }
 
     /// Keeps what an object has beside what all of its kind have.
-    fn detail(
+    pub(super) fn detail(
         &mut self,
         said: &Said<'a>,
         object: Object,

@@ -4,6 +4,7 @@ use super::table::Kind::{Color, File, Name, Number, Options, Share, Spectrum, Ve
 use super::table::{Part, Statement, Value as V, either, may, must, one};
 use crate::numbers::Range::{Angle, Any, Between, NotNegative, Positive};
 
+mod shapes;
 mod things;
 
 /// What stands for a material in an error.
@@ -33,7 +34,7 @@ const fn once(
 
 /// Returns all statements.
 pub(super) fn all() -> impl Iterator<Item = &'static Statement> {
-    ONCE.iter().chain(things::THINGS)
+    ONCE.iter().chain(things::THINGS).chain(shapes::SHAPES)
 }
 
 /// The statements that a scene has once.

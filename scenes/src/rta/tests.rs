@@ -3,6 +3,7 @@
 mod errors;
 mod meaning;
 mod paths;
+mod quads;
 mod round;
 
 use crate::description::Description;

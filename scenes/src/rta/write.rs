@@ -6,7 +6,8 @@ use super::HEADER;
 use super::names::is_builtin;
 use super::view::SCREEN;
 use crate::description::{
-    Description, Detail, Fading, FallOff, Keyframe, LampShape, ModelOption, Path, Shading, Side, Sky, Surface,
+    Description, Detail, Fading, FallOff, Keyframe, LampShape, ModelOption, Path, Quad, Shading, Side, Sky,
+    Surface,
 };
 
 mod material;
@@ -186,6 +187,13 @@ impl Description {
             self.write_rest(words, own.color, &own.surface, Object::Cone(object), text);
         }
         for (object, own) in (0..).zip(&self.triangles) {
+            if let Some((quad, is_further)) = self.quad(Object::Triangle(object)) {
+                if let Some(corners) = quad.corners(&self.triangles).filter(|_| !is_further) {
+                    let words = quad_words(quad, corners, own.one_sided);
+                    self.write_rest(words, own.color, &own.surface, Object::Triangle(object), text);
+                }
+                continue;
+            }
             let mut words = Words::new("triangle");
             own.vertices.iter().for_each(|vertex| _ = words.vector("", *vertex));
             words.maybe(own.normals, |words, normals| words.numbers("normals", normals.as_flattened()));
@@ -238,4 +246,14 @@ impl Description {
             _ => words,
         };
     }
+}
+
+fn quad_words(quad: &Quad, corners: [[f64; 3]; 4], one_sided: bool) -> Words {
+    let mut words = Words::new("quad");
+    words.numbers("", corners.as_flattened());
+    if quad.patches != [1, 1] {
+        words.numbers("patches", &quad.patches.map(f64::from));
+    }
+    words.maybe(quad.emitting, |words, part| words.numbers("emitting", &part));
+    words.flag("one-sided", one_sided).take()
 }

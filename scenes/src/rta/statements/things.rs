@@ -1,42 +1,13 @@
-//! Lamps, textures, materials and objects: the statements that a scene has as often as it likes.
+//! Lamps, paths, textures and materials: the statements that a scene has as often as it likes, but for its objects.
 
-use super::{A_MATERIAL, A_TEXTURE, ALONG, COLORS, OF, PLACE};
-use crate::numbers::Range::{
-    Any, Between, Gloss, NotNegative, NotZero, Part as Fraction, Positive, Share as Unit,
-};
-use crate::polygon::MOST_CORNERS;
+use super::{A_MATERIAL, A_TEXTURE, ALONG, COLORS, PLACE};
+use crate::numbers::Range::{Any, Between, Gloss, NotNegative, Part as Fraction, Positive, Share as Unit};
 use crate::rta::table::Kind::{Axis, Color, File, Name, New, Number, Offset, Share, Vector, Whole};
 use crate::rta::table::{Part, Statement, Value as V, either, may, must, one};
 
-const CORNERS: &[V] =
-    &[V("first corner", Vector(Any)), V("second corner", Vector(Any)), V("third corner", Vector(Any))];
-const NORMALS: &[V] =
-    &[V("first normal", Vector(Any)), V("second normal", Vector(Any)), V("third normal", Vector(Any))];
-const UV: &[V] = &[
-    V("first u", Number(Any)),
-    V("first v", Number(Any)),
-    V("second u", Number(Any)),
-    V("second v", Number(Any)),
-    V("third u", Number(Any)),
-    V("third v", Number(Any)),
-];
-
-const COLOR: Part =
-    may("color", &[V("colour", Color(NotNegative))], "its colour: the part of the light that it sends back")
-        .default("that of its material, or white");
-const MOVES: Part = may(
-    "moves",
-    &[V("motion", Vector(Any))],
-    "how far it moves in the time from 0 to 1, in which the shutter is open",
-);
-const INSIDE: Part = may("inside", &[], "it is seen from the inside only");
-const ONE_SIDED: Part = may("one-sided", &[], "it is seen only from where its corners run counterclockwise");
-const GOURAUD: Part = either(9, "gouraud", &[], "with normals: the light of its corners is mixed");
-const BISHOP: Part =
-    either(9, "bishop-weimer", &[], "with normals: cosines are expanded to the second order");
 const SHARE: Part = may("share", &[V("share", Share)], "their part of all facets").default("1");
 
-const fn object(keyword: &'static str, about: &'static str, parts: &'static [Part]) -> Statement {
+pub(super) const fn object(keyword: &'static str, about: &'static str, parts: &'static [Part]) -> Statement {
     Statement { keyword, noun: keyword, once: false, about, parts }
 }
 
@@ -183,6 +154,12 @@ pub(super) const THINGS: &[Statement] = &[
                 "a thin wall transmits the first share at its edges, the second face on",
             ),
             may("thin", &[], "a thin wall: light goes straight through"),
+            may(
+                "emits",
+                &[V("light", Color(NotNegative))],
+                "the radiance that its outside sends out; a quad that emits lights the scene",
+            )
+            .default("black"),
             may("surroundings", &[], "its mirror rays see the sky alone, and no things"),
             may("texture", &[V("texture", Name(A_TEXTURE))], "gives its colour"),
             may(
@@ -190,109 +167,6 @@ pub(super) const THINGS: &[Statement] = &[
                 &[V("texture", Name(A_TEXTURE)), V("height", Number(Any))],
                 "gives its bumps, of this height",
             ),
-        ],
-    ),
-    object(
-        "sphere",
-        "A sphere",
-        &[
-            must("at", PLACE, "its centre"),
-            must("radius", &[V("radius", Number(NotZero))], "below 0 it is seen from the inside only"),
-            COLOR,
-            OF,
-            MOVES,
-            ALONG,
-        ],
-    ),
-    object(
-        "ellipsoid",
-        "An ellipsoid along the axes of the world",
-        &[
-            must("at", PLACE, "its centre"),
-            must("radii", &[V("radii", Vector(Positive))], "along x, y and z"),
-            INSIDE,
-            COLOR,
-            OF,
-            MOVES,
-            ALONG,
-        ],
-    ),
-    object(
-        "cylinder",
-        "An endless vertical cylinder",
-        &[
-            must("at", PLACE, "a point of its axis, whose z plays no part"),
-            must("radius", &[V("radius", Number(Positive))], "its radius"),
-            COLOR,
-            OF,
-            MOVES,
-            ALONG,
-        ],
-    ),
-    object(
-        "cone",
-        "A cone or cylinder between two points",
-        &[
-            must("from", PLACE, "one end").tail(&[must(
-                "radius",
-                &[V("radius", Number(NotNegative))],
-                "its radius there",
-            )]),
-            must("to", PLACE, "the other end").tail(&[must(
-                "radius",
-                &[V("radius", Number(NotNegative))],
-                "its radius there",
-            )]),
-            INSIDE,
-            may("capped", &[], "discs close its ends"),
-            COLOR,
-            OF,
-            MOVES,
-            ALONG,
-        ],
-    ),
-    object(
-        "triangle",
-        "A triangle",
-        &[
-            must("", CORNERS, "its corners"),
-            may("normals", NORMALS, "at the corners: it is shaded as if it were curved"),
-            may("uv", UV, "texture coordinates of its corners"),
-            ONE_SIDED,
-            COLOR,
-            OF,
-            GOURAUD,
-            BISHOP,
-            MOVES,
-            ALONG,
-        ],
-    ),
-    object(
-        "polygon",
-        "A polygon, which may be concave; it is cut into triangles",
-        &[
-            must("", CORNERS, "its corners, in order")
-                .more(MOST_CORNERS as usize, &[V("next corner", Vector(Any))]),
-            may("normals", NORMALS, "one a corner")
-                .more(MOST_CORNERS as usize, &[V("next normal", Vector(Any))]),
-            ONE_SIDED,
-            COLOR,
-            OF,
-            GOURAUD,
-            BISHOP,
-            MOVES,
-            ALONG,
-        ],
-    ),
-    object(
-        "plane",
-        "An infinite plane",
-        &[
-            must("at", PLACE, "a point of it"),
-            must("normal", &[V("normal", Vector(Any))], "its normal, of any length"),
-            COLOR,
-            OF,
-            ALONG,
         ],
     ),
 ];

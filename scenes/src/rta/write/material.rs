@@ -82,6 +82,7 @@ pub(super) fn material(own: &Material, text: &mut String) {
     words.maybe(own.edge.as_ref(), |words, edge| {
         words.numbers("edge", &[edge.exponent.into(), edge.least, edge.most])
     });
+    words.maybe(own.emits, |words, light| words.color("emits", light));
     words.flag("thin", own.thin).flag("surroundings", own.surroundings);
     words.maybe(own.texture.as_deref(), |words, texture| words.name("texture", texture));
     words

@@ -44,7 +44,7 @@ pub(super) fn material() -> impl Strategy<Value = Material> {
         (1..=3_u8, 0.0..=1.0, 0.0..=1.0).prop_map(|(exponent, least, most)| Edge { exponent, least, most });
     let absorb = prop::array::uniform3(1e-9..=1.0_f64);
     let rest = (
-        maybe(color()),
+        [maybe(color()), maybe(color())],
         maybe(nk),
         maybe(absorb),
         maybe(edge),
@@ -55,7 +55,7 @@ pub(super) fn material() -> impl Strategy<Value = Material> {
         |(name, kind, color, shares, facets, rest)| {
             let (ambient, diffuse, back, specular, transmit, mirror) = shares;
             let (exponent, gloss, roughness, slopes, index, dispersion) = facets;
-            let (metal, nk, absorb, edge, [thin, surroundings, has_texture], bump) = rest;
+            let ([metal, emits], nk, absorb, edge, [thin, surroundings, has_texture], bump) = rest;
             Material {
                 name,
                 kind,
@@ -77,6 +77,7 @@ pub(super) fn material() -> impl Strategy<Value = Material> {
                 absorb,
                 edge,
                 thin,
+                emits,
                 surroundings,
                 texture: has_texture.then(|| "t0".into()),
                 bump: bump.map(|height| ("t1".into(), height)),
