@@ -39,6 +39,7 @@ mod lines;
 pub mod narrow;
 pub mod nff;
 mod numbers;
+mod patches;
 pub mod pictures;
 mod polygon;
 mod reading;

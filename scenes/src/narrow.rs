@@ -26,6 +26,7 @@ mod materials;
 pub mod moving;
 mod plane;
 mod properties;
+pub mod quads;
 pub use properties::conductor;
 pub mod spectrum;
 pub mod spreads;

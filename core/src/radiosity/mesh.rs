@@ -78,8 +78,11 @@ impl<'a, S: Scalar> Mesh<'a, S> {
             let wrong = |fault| Err(Error::Quad { quad: number, fault });
             let is_right = |part: S::Unit| part >= S::Unit::ZERO && part <= greatest_reflectance::<S::Unit>();
             let Rgb { r, g, b } = quad.reflectance.map(is_right);
-            let next = quad.triangle.checked_add(2).filter(|&next| index(next) <= scene.triangles.len());
-            let Some(next) = next.filter(|_| quad.triangle >= triangles) else {
+            let next = quad
+                .triangle
+                .checked_add(quad.triangles)
+                .filter(|&next| index(next) <= scene.triangles.len());
+            let Some(next) = next.filter(|_| quad.triangles > 0 && quad.triangle >= triangles) else {
                 return wrong(Fault::Triangles);
             };
             let count = u32::try_from(quad.len()).ok().filter(|&count| count > 0 && quad.first == patches);
@@ -197,15 +200,17 @@ impl<'a, S: Scalar> Mesh<'a, S> {
         let Object::Triangle(number) = object else { return None };
         let found = self.quads.partition_point(|quad| quad.triangle <= number).checked_sub(1)?;
         let quad = self.quads.get(found)?;
-        let half = number - quad.triangle;
-        if half > 1 {
+        if number - quad.triangle >= quad.triangles {
             return None;
         }
         let triangle = self.triangles.get(index(number))?;
-        let [_, second, third] = triangle.weights(place);
-        let sum = second + third;
-        let about = if half == 0 { [sum, third] } else { [second, sum] };
-        Some((found, quad.solved(triangle.normal, place, about)))
+        Some((found, quad.solved(triangle.normal, place)))
+    }
+
+    /// Returns the unit normal of a quadrilateral on the side that reflects; `None` for one that is not there.
+    pub fn normal(&self, quad: usize) -> Option<UnitVec3<S>> {
+        let quad = self.quads.get(quad)?;
+        self.triangles.get(index(quad.triangle)).map(|triangle| triangle.normal)
     }
 
     /// Returns the patch at (u, v) of a quadrilateral.

@@ -4,7 +4,7 @@ use core::marker::PhantomData;
 
 use crate::color::Rgb;
 use crate::scalar::vector::{UnitVec3, Vec3, Vector};
-use crate::scalar::{Number, Scalar, Unit};
+use crate::scalar::{Scalar, Unit};
 
 /// A flat convex quadrilateral, divided into patches. One side reflects: that from which its corners run counterclockwise.
 #[derive(Clone, Copy, Debug)]
@@ -21,8 +21,10 @@ pub struct Quad<S: Scalar> {
     pub emission: Rgb<S::Light>,
     /// Which patches emit, as numbers along u and v: from the first pair up to, but not including, the second. All is `[[0; 2], patches]`.
     pub emitting: [[u16; 2]; 2],
-    /// Number of the first of its two triangles in the scene's list: the corners 0, 1, 2. The next one is the corners 0, 2, 3.
+    /// Number of the first of its triangles in the scene's list, all of which lie in it and fill it.
     pub triangle: u32,
+    /// How many triangles there are, 1 or more.
+    pub triangles: u32,
 }
 
 /// Returns the greatest reflectance of a patch, 0.98: with more, light goes round too often to be followed to its end.
@@ -104,15 +106,14 @@ impl<S: Scalar> Quad<S> {
         is_convex.then(|| (most.0, areas.map(|area| S::part(area, most.1))))
     }
 
-    /// Returns (u, v) of a place of the quadrilateral, by Newton's iteration from about there.
-    pub(super) fn solved(&self, normal: UnitVec3<S>, place: Vec3<S>, mut at: [S::Unit; 2]) -> [S::Unit; 2] {
+    /// Returns (u, v) of a place of the quadrilateral, by Newton's iteration from the middle.
+    pub(super) fn solved(&self, normal: UnitVec3<S>, place: Vec3<S>) -> [S::Unit; 2] {
         let [a, b, c, d] = self.corners;
-        if b - a == c - d {
-            return at;
-        }
+        let mut at = [S::Unit::ratio(1, 2); 2];
         let (flat, zero) = (Flat::<S>::along(normal), S::ZERO.square());
-        // Each step doubles the digits: from a tenth to 2^-32.
-        for _ in 0..4 {
+        // One step is exact in a parallelogram; elsewhere each doubles the digits.
+        let steps = if b - a == c - d { 1 } else { 6 };
+        for _ in 0..steps {
             let [along, across] = self.slopes(at);
             let rest = place - self.place(at);
             let whole = flat.area(along, across);

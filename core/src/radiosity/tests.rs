@@ -86,6 +86,7 @@ impl<S: Read> Faces<S> {
             emission: light::<S>(wall.emission),
             emitting: [[0; 2], patches],
             triangle,
+            triangles: 2,
         });
     }
 

@@ -90,16 +90,6 @@ impl<'a, S: Scalar> Solution<'a, S> {
         let vertices = up.into_iter().flat_map(|(j, v)| across.map(|(i, u)| ([i, j], u.times(v))));
         mixed::<S>(vertices.map(|(vertex, weight)| (self.vertex(quad, vertex), weight)))
     }
-
-    /// Returns the light of a place that a ray met: see [`Mesh::locate`]; `None` for what is no quadrilateral.
-    pub fn seen(
-        &self,
-        object: crate::scene::Object,
-        place: crate::scalar::vector::Vec3<S>,
-    ) -> Option<Rgb<S::Light>> {
-        let (quad, at) = self.mesh.locate(object, place)?;
-        Some(self.at(quad, at))
-    }
 }
 
 /// Returns the sum of light times weights, which come to 1; 0 where it is negative.

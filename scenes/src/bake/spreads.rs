@@ -83,7 +83,7 @@ pub(super) fn write<S: Literal>(
 
 /// Writes the fields of what spreads, within an item.
 fn write_spread<S: Literal>(out: &mut impl Write, spread: &Spread<S>) -> fmt::Result {
-    let Spread { lamps, split, squares, aperture, roughness, bodies } = spread;
+    let Spread { lamps, split, squares, aperture, roughness, bodies, indirect: _ } = spread;
     let square = |square: &Option<Square<S>>| {
         let Some(Square { corner, edges, normal, least: (least, inverse) }) = square else {
             return "None".to_owned();
@@ -113,7 +113,7 @@ fn write_spread<S: Literal>(out: &mut impl Write, spread: &Spread<S>) -> fmt::Re
         out,
         "    ::rta_core::trace::dice::Spread {{\n        lamps: ::rta_core::trace::dice::Lamps::{lamps:?},\n        \
          split: {split},\n        squares: const {{ &[{}] }},\n        aperture: {aperture},\n        \
-         roughness: const {{ &[{}] }},\n        bodies: &{bodies:?},\n    }}",
+         roughness: const {{ &[{}] }},\n        bodies: &{bodies:?},\n        indirect: None,\n    }}",
         squares.join(", "),
         roughness.join(", ")
     )

@@ -38,6 +38,7 @@ impl<S: Narrow> Spreads<S> {
             aperture: self.aperture,
             roughness: &self.roughness,
             bodies: &self.bodies,
+            indirect: None,
         }
     }
 
