@@ -4,6 +4,7 @@ pub mod error;
 pub mod fit;
 pub mod sampler;
 pub mod scene_file;
+pub mod solution;
 
 pub use rta_args::value::sampling;
 

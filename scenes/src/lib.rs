@@ -47,6 +47,7 @@ pub mod rta;
 pub mod sampler;
 pub mod shading;
 pub mod shipped;
+pub mod solution;
 pub mod space;
 pub mod spectrum;
 mod tessellate;

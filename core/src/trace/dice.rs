@@ -108,7 +108,7 @@ pub struct Spread<'a, S: Scalar> {
     /// the order of the scene's triangles; those beyond are bodies by themselves.
     pub bodies: &'a [u32],
     /// Light that was solved ahead and takes the place of the scene's ambient light.
-    pub indirect: Option<&'a Indirect<'a, S>>,
+    pub indirect: Option<Indirect<'a, S>>,
 }
 
 impl<S: Scalar> Spread<'_, S> {
@@ -198,7 +198,7 @@ impl<S: Scalar> Dice<S> for &Thrown<'_, S> {
     }
 
     fn arriving(self, object: Object, surface: &Surface<S>) -> Option<Rgb<S::Light>> {
-        self.spread.indirect.map(|indirect| indirect.at(object, surface))
+        self.spread.indirect.as_ref().map(|indirect| indirect.at(object, surface))
     }
 
     fn square<'d>(self, lamp: usize) -> Option<&'d Square<S>>

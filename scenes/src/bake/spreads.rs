@@ -66,7 +66,7 @@ pub(super) fn write<S: Literal>(
     writeln!(out, "\n/// What spreads rays.\n{ALLOW}")?;
     writeln!(out, "pub static SPREAD: ::rta_core::trace::dice::Spread<'static, Number> = {{")?;
     write_names(out, S::CONSTRUCTORS)?;
-    write_spread(out, &spreading.map_or(Spread::NONE, |spreading| scene.spreads.spread(spreading)))?;
+    write_spread(out, &spreading.map_or(Spread::NONE, |spreading| scene.spread(spreading)))?;
     let motions = spreading.map_or(&[][..], |_| &scene.spreads.motions);
     let motion = "::rta_core::trace::moving::Motion";
     writeln!(out, "}};\n\n/// What moves while the shutter is open.\n{ALLOW}")?;

@@ -3,6 +3,7 @@
 use rta_core::scene::Object;
 
 use super::{Description, FallOff, Lamp, LampShape, Material, Surface, Triangle};
+use crate::solution::Shown;
 use crate::space::{Triple, cross, difference, length};
 
 /// A quadrilateral among the [triangles](Description::triangles) of a scene, whose places, colour and material are theirs. Its outside is
@@ -98,16 +99,25 @@ impl Description {
     }
 
     /// Returns the scene as it is traced: what of a quad does not emit has a material that does not, and each quad that emits is also a lamp of
-    /// the same light, a parallelogram of its area and of the means of its opposite edges.
+    /// the same light, a parallelogram of its area and of the means of its opposite edges. Where all light was solved ahead there are no
+    /// lamps.
     #[must_use]
     pub fn with_emitters(&self) -> Self {
         let mut scene = self.clone();
+        let is_whole = self.details.light.as_ref().is_some_and(|light| light.shown == Shown::All);
+        if is_whole {
+            scene.lamps.clear();
+            scene.details.lamps.clear();
+        }
         for quad in &self.quads {
             let (Some(light), Some(corners)) = (self.emission(quad), quad.corners(&self.triangles)) else {
                 continue;
             };
             if quad.emitting.is_some() {
                 scene.darken(quad);
+            }
+            if is_whole {
+                continue;
             }
             let [u0, v0, u1, v1] = quad.emitting.unwrap_or([0.0, 0.0, 1.0, 1.0]);
             let [a, b, c, d] = [[u0, v0], [u1, v0], [u1, v1], [u0, v1]].map(|place| bilinear(corners, place));
