@@ -5,7 +5,7 @@ use core::marker::PhantomData;
 use super::cast::{Cast, Casts};
 use super::factor::point_to_polygon;
 use super::mesh::{Mesh, Patch, Site};
-use super::sweep::{Gathered, Outcome, Stop, apart, see};
+use super::sweep::{Gathered, Outcome, Stop, Watch};
 use super::{Error, room};
 use crate::accelerator::{Accelerator, Lists};
 use crate::color::Rgb;
@@ -13,7 +13,7 @@ use crate::needs::Needs;
 use crate::range::Admitted;
 use crate::sampling::pairs::{Purpose, pair};
 use crate::scalar::vector::{LengthVector, UnitVec3, UnitVector, Vec3};
-use crate::scalar::{Light, Number, Scalar, Unit};
+use crate::scalar::{Light, Scalar, Unit};
 
 /// Solves for the light of a mesh: `B = E + X`, with `X = rho (H + F X)`, where H is what arrives straight from patches that emit.
 ///
@@ -67,14 +67,7 @@ impl<'a, S: Scalar, N: Needs, C: Casts<S>, A: Accelerator<S>> Solver<'a, S, N, C
             }
             None => None,
         };
-        let mut sweeps = 0;
-        loop {
-            let outcome = self.sweep(reflected, kept, stop.bits)?;
-            sweeps += 1;
-            if outcome.is_done || sweeps >= stop.sweeps {
-                return Ok(Outcome { sweeps, ..outcome });
-            }
-        }
+        stop.repeat(|| self.sweep(reflected, kept, stop.bits))
     }
 
     /// Gathers the light of each patch once, in the order of their numbers: later patches already see what is new of earlier ones.
@@ -94,7 +87,7 @@ impl<'a, S: Scalar, N: Needs, C: Casts<S>, A: Accelerator<S>> Solver<'a, S, N, C
             return Err(Error::Room { needed, found });
         }
         let mut memory = A::Memory::default();
-        let (mut change, mut largest) = (S::Light::ZERO, S::Light::ZERO);
+        let mut watch = Watch::NEW;
         for (number, patch) in self.mesh.patches().enumerate() {
             let Some(site) = self.mesh.site(patch) else { continue };
             let direct = match arriving.and_then(|arriving| arriving.get(number)) {
@@ -105,15 +98,10 @@ impl<'a, S: Scalar, N: Needs, C: Casts<S>, A: Accelerator<S>> Solver<'a, S, N, C
             let own = direct.zip(reflectance, S::Light::times);
             let new = own.plus(self.gathered(&site, reflected, reflectance, &mut memory));
             if let Some(old) = reflected.get_mut(number) {
-                see(&mut change, old.zip(new, apart));
-                *old = new;
+                watch.put(old, new, new);
             }
-            see(&mut largest, new);
         }
-        let is_still = change == S::Light::ZERO;
-        let is_done =
-            is_still || bits != Stop::STILL && change.size() < largest.size().shift(-i32::from(bits));
-        Ok(Outcome { sweeps: 1, change, largest, is_done })
+        Ok(watch.outcome(bits))
     }
 
     /// Returns what arrives at a patch from other patches, F X, where `reflected` is X of each.
@@ -238,7 +226,7 @@ impl<'a, S: Scalar, N: Needs, C: Casts<S>, A: Accelerator<S>> Solver<'a, S, N, C
     }
 
     /// Returns whether a place of a patch sees a place of a quadrilateral.
-    fn is_open(
+    pub(super) fn is_open(
         &self,
         site: &Site<S>,
         place: Vec3<S>,
