@@ -46,6 +46,11 @@ impl<'a, S: Scalar> Matrix<'a, S> {
         Ok(Self { mesh, factors })
     }
 
+    /// Returns the mesh.
+    pub const fn mesh(&self) -> &Mesh<'a, S> {
+        &self.mesh
+    }
+
     /// Returns the form factors from a patch to all.
     pub fn row(&self, number: usize) -> &'a [S::Unit] {
         let count = self.mesh.len();
