@@ -49,11 +49,18 @@ pub fn patch_count(quads: &[Quad]) -> usize {
 }
 
 impl Description {
+    /// Returns the scene with light that is still to be solved.
+    #[must_use]
+    pub fn unsolved(&self) -> Self {
+        let solution = Solution { patches: None, arriving: Vec::new() };
+        self.lit_by(&Arc::new(Solved { shown: Shown::Indirect, solution }))
+    }
+
     /// Returns the scene with solved light. Its triangles are those of [`Description::meshed`].
     #[must_use]
-    pub fn lit_by(&self, solution: Solution, shown: Shown) -> Self {
-        let mut scene = self.meshed(solution.patches);
-        scene.details.light = Some(Arc::new(Solved { shown, solution }));
+    pub fn lit_by(&self, light: &Arc<Solved>) -> Self {
+        let mut scene = self.meshed(light.solution.patches);
+        scene.details.light = Some(Arc::clone(light));
         scene
     }
 }

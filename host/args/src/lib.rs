@@ -4,6 +4,7 @@
 mod advice;
 mod choice;
 mod explain;
+pub mod light;
 mod pages;
 mod picture;
 pub mod radiosity;

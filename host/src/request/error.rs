@@ -8,6 +8,7 @@ use rta_scenes::error::{Found, SceneError};
 use rta_scenes::fit::FloorError;
 use rta_scenes::pictures::PictureError as LoadError;
 
+use super::solution::SolutionError;
 use crate::engine::admission::Refusal;
 use crate::engine::{EngineError, Format};
 use crate::picture::error::{PictureError, reason};
@@ -28,6 +29,22 @@ pub enum RequestError {
     /// The scene file is not a scene.
     #[error("{_0}{}", lenient_helps(_0))]
     Scene(#[from] SceneError),
+    /// The file of solved radiosity cannot be opened or read.
+    #[error("cannot read the radiosity {name}: {}", reason(source))]
+    NoLight {
+        /// The file.
+        name: String,
+        /// What the system says.
+        source: io::Error,
+    },
+    /// It is none of the scene.
+    #[error("{name}: {source}")]
+    Light {
+        /// The file.
+        name: String,
+        /// Why.
+        source: SolutionError,
+    },
     /// A picture that the scene names cannot be used.
     #[error("{name}: {source}")]
     Texture {

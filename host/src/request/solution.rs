@@ -14,10 +14,16 @@
 //! the order of the quads of [`Description::meshed`]: the irradiance from what emits, and that from all other surfaces; linear RGB each.
 
 use core::fmt::Write;
+use std::fs;
+use std::sync::Arc;
 
 use rta_drivers::checksum::Fnv;
 use rta_scenes::description::Description;
-use rta_scenes::solution::{Arriving, Solution, patch_count};
+use rta_scenes::solution::{Arriving, Shown, Solution, Solved, patch_count};
+
+use super::error::RequestError;
+use super::scene_file::SceneFile;
+use crate::args::light::{self, LightArgs};
 
 /// The words that a file begins with.
 const HEADER: &str = "rta radiosity 1";
@@ -67,6 +73,23 @@ pub fn fingerprint(scene: &Description) -> u64 {
         line.bytes().chain([b'\n']).filter(|_| !is_apart).for_each(|byte| hash.add(byte));
     }
     hash.value()
+}
+
+/// Returns the solved light that the options name, for its scene.
+///
+/// # Errors
+/// [`RequestError::NoLight`] where the file cannot be read, and [`RequestError::Light`] where it is no solution of the scene.
+pub fn open(asked: &LightArgs, scene: &SceneFile) -> Result<Option<Arc<Solved>>, RequestError> {
+    let Some(path) = &asked.light else { return Ok(None) };
+    let name = path.display().to_string();
+    let text =
+        fs::read_to_string(path).map_err(|source| RequestError::NoLight { name: name.clone(), source })?;
+    let solution = read(&text, &scene.description).map_err(|source| RequestError::Light { name, source })?;
+    let shown = match asked.light_as {
+        light::Shown::Indirect => Shown::Indirect,
+        light::Shown::All => Shown::All,
+    };
+    Ok(Some(Arc::new(Solved { shown, solution })))
 }
 
 /// Returns a solution as a text, for the scene that it is of.

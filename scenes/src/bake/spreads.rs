@@ -23,6 +23,7 @@ pub(super) fn used<S: Literal>(scene: &Narrowed<S>, spreading: Option<&Spreading
         area_lamps,
         square_lamps: area_lamps && has_squares,
         cone_lamps: area_lamps && spreading.lamps == Lamps::Cone,
+        radiosity: scene.lit.is_some(),
         lens: scene.spreads.aperture.is_some(),
         gloss: used.mirror && !scene.spreads.roughness.is_empty(),
         ..used
