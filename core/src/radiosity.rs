@@ -12,6 +12,8 @@
 //! | way | memory for each patch | where |
 //! | --- | --- | --- |
 //! | gathering: what is seen from a patch is traced anew in each sweep | 12 bytes in `Q16` | [`Solver`] |
+//! | shooting: the brightest patch sends its light to all others | 24 bytes | [`Shooter`] |
+//! | Gauss and Gauss-Seidel, with all factors in memory | 4 bytes for each pair of patches | [`Matrix`] |
 //!
 //! Light is in slices of the caller, in the order of the patches' numbers. What is seen from a patch is found by rays ([`Rays`]) or along the
 //! cells of a hemi-cube ([`HemiCube`]), through the scene's own accelerator. A ray that meets a quadrilateral from behind, or anything else
@@ -26,18 +28,24 @@ mod cast;
 pub mod exact;
 mod factor;
 mod gather;
+mod matrix;
 mod mesh;
 mod quad;
+mod shoot;
 mod sweep;
 mod vertex;
+mod wallace;
 
 pub use cast::{Cast, Casts, HemiCube, Rays};
 pub use factor::point_to_polygon;
 pub use gather::Solver;
+pub use matrix::Matrix;
 pub use mesh::{Fault, Mesh, Patch, Site};
 pub use quad::{Quad, greatest_reflectance};
+pub use shoot::Shooter;
 pub use sweep::{Outcome, Stop};
 pub use vertex::Solution;
+pub use wallace::Balance;
 
 /// The reason why radiosity is refused.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -52,6 +60,8 @@ pub enum Error {
     },
     /// The light may be brighter than the number format can hold.
     Exceeds(Bound),
+    /// The form factors of a patch are negative, come to more than 1, or have it see itself.
+    Factors(Patch),
     /// A slice is too short.
     Room {
         /// How many elements are needed.
@@ -68,6 +78,13 @@ impl fmt::Display for Error {
                 write!(f, "quadrilateral {} {fault}", quad.saturating_add(1))
             }
             Self::Exceeds(bound) => crate::Error::Exceeds(bound).fmt(f),
+            Self::Factors(Patch { quad, cell: [i, j] }) => {
+                let quad = quad.saturating_add(1);
+                write!(
+                    f,
+                    "the form factors of patch {i}, {j} of quadrilateral {quad} are not parts of what it sees"
+                )
+            }
             Self::Room { needed, found } => {
                 write!(f, "there is room for {found} numbers where {needed} are needed")
             }

@@ -5,7 +5,7 @@ use core::marker::PhantomData;
 use super::cast::{Cast, Casts};
 use super::factor::point_to_polygon;
 use super::mesh::{Mesh, Patch, Site};
-use super::sweep::{Gathered, Outcome, Stop, apart, see};
+use super::sweep::{Gathered, Outcome, Stop, Watch};
 use super::{Error, room};
 use crate::accelerator::{Accelerator, Lists};
 use crate::color::Rgb;
@@ -13,7 +13,7 @@ use crate::needs::Needs;
 use crate::range::Admitted;
 use crate::sampling::pairs::{Purpose, pair};
 use crate::scalar::vector::{LengthVector, UnitVec3, UnitVector, Vec3};
-use crate::scalar::{Light, Number, Scalar, Unit};
+use crate::scalar::{Light, Scalar, Unit};
 
 /// Solves for the light of a mesh: `B = E + X`, with `X = rho (H + F X)`, where H is what arrives straight from patches that emit.
 ///
@@ -25,18 +25,25 @@ pub struct Solver<'a, S: Scalar, N, C, A = Lists> {
     mesh: Mesh<'a, S>,
     casts: C,
     lamps: Option<u32>,
+    places: u16,
     needs: PhantomData<fn() -> N>,
 }
 
 impl<'a, S: Scalar, N: Needs, C: Casts<S>, A: Accelerator<S>> Solver<'a, S, N, C, A> {
     /// Returns a solver for the light of a mesh of this scene. `seed` is that of the places on lamps.
     pub const fn new(scene: &'a Admitted<'a, S, A>, mesh: Mesh<'a, S>, casts: C, seed: u32) -> Self {
-        Self { scene, mesh, casts, lamps: Some(seed), needs: PhantomData }
+        Self { scene, mesh, casts, lamps: Some(seed), places: 2, needs: PhantomData }
     }
 
     /// Returns the solver without H: what emits is found by the rays too.
     pub const fn by_rays_alone(self) -> Self {
         Self { lamps: None, ..self }
+    }
+
+    /// Returns the solver with H computed at `side x side` places of a patch instead of 2 x 2. A 0 counts as 1. Of what a lamp sends to patches
+    /// beside it, four places of those in room G, 3 x 3 patches a wall, find 1.4 % too much, 16 places 0.3 %.
+    pub fn with_places(self, side: u16) -> Self {
+        Self { places: side.max(1), ..self }
     }
 
     /// Returns the mesh.
@@ -67,14 +74,7 @@ impl<'a, S: Scalar, N: Needs, C: Casts<S>, A: Accelerator<S>> Solver<'a, S, N, C
             }
             None => None,
         };
-        let mut sweeps = 0;
-        loop {
-            let outcome = self.sweep(reflected, kept, stop.bits)?;
-            sweeps += 1;
-            if outcome.is_done || sweeps >= stop.sweeps {
-                return Ok(Outcome { sweeps, ..outcome });
-            }
-        }
+        stop.repeat(|| self.sweep(reflected, kept, stop.bits))
     }
 
     /// Gathers the light of each patch once, in the order of their numbers: later patches already see what is new of earlier ones.
@@ -94,7 +94,7 @@ impl<'a, S: Scalar, N: Needs, C: Casts<S>, A: Accelerator<S>> Solver<'a, S, N, C
             return Err(Error::Room { needed, found });
         }
         let mut memory = A::Memory::default();
-        let (mut change, mut largest) = (S::Light::ZERO, S::Light::ZERO);
+        let mut watch = Watch::NEW;
         for (number, patch) in self.mesh.patches().enumerate() {
             let Some(site) = self.mesh.site(patch) else { continue };
             let direct = match arriving.and_then(|arriving| arriving.get(number)) {
@@ -105,15 +105,10 @@ impl<'a, S: Scalar, N: Needs, C: Casts<S>, A: Accelerator<S>> Solver<'a, S, N, C
             let own = direct.zip(reflectance, S::Light::times);
             let new = own.plus(self.gathered(&site, reflected, reflectance, &mut memory));
             if let Some(old) = reflected.get_mut(number) {
-                see(&mut change, old.zip(new, apart));
-                *old = new;
+                watch.put(old, new, new);
             }
-            see(&mut largest, new);
         }
-        let is_still = change == S::Light::ZERO;
-        let is_done =
-            is_still || bits != Stop::STILL && change.size() < largest.size().shift(-i32::from(bits));
-        Ok(Outcome { sweeps: 1, change, largest, is_done })
+        Ok(watch.outcome(bits))
     }
 
     /// Returns what arrives at a patch from other patches, F X, where `reflected` is X of each.
@@ -203,15 +198,16 @@ impl<'a, S: Scalar, N: Needs, C: Casts<S>, A: Accelerator<S>> Solver<'a, S, N, C
         Some((patch, self.mesh.number(patch)?))
     }
 
-    /// Returns H of a patch: what arrives straight from patches that emit, the mean at the middles of its four quarters; nothing where the
-    /// rays find them too.
+    /// Returns H of a patch: what arrives straight from patches that emit, the mean over the middles of its quarters, or see
+    /// [`Solver::with_places`]; nothing where the rays find them too.
     pub fn arriving(&self, patch: Patch, memory: &mut A::Memory) -> Rgb<S::Light> {
         let (Some(seed), Some(site)) = (self.lamps, self.mesh.site(patch)) else { return Rgb::BLACK };
         let (own, name) = names(&site);
         let mut gathered = Gathered::NOTHING;
-        for quarter in 0..4u32 {
-            let part = |bit: u32| S::Unit::ratio(if quarter >> bit & 1 == 0 { 1 } else { 3 }, 4);
-            let at = site.quad.within(patch.cell, [part(0), part(1)]);
+        let (side, count) = (u32::from(self.places), u32::from(self.places).pow(2));
+        for k in 0..count {
+            let middle = |cell: u32| S::Unit::fraction((2 * cell + 1).cast_signed(), 2 * side);
+            let at = site.quad.within(patch.cell, [middle(k % side), middle(k / side)]);
             let weight = site.weight(at);
             gathered.weigh(weight);
             let place = site.quad.place(at);
@@ -226,7 +222,8 @@ impl<'a, S: Scalar, N: Needs, C: Casts<S>, A: Accelerator<S>> Solver<'a, S, N, C
                 if factor <= S::Unit::ZERO {
                     continue;
                 }
-                let words = pair(own, name, Purpose::Lamp.tag(0), seed, 4 * number + quarter);
+                let words =
+                    pair(own, name, Purpose::Lamp.tag(0), seed, count.wrapping_mul(number).wrapping_add(k));
                 let there = lamps.place(lamps.within(lamp.cell, words.map(S::Unit::of_word)));
                 if self.is_open(&site, place, (lamp.quad, there), memory) {
                     gathered.add(emission, weight.times(factor));
@@ -238,7 +235,7 @@ impl<'a, S: Scalar, N: Needs, C: Casts<S>, A: Accelerator<S>> Solver<'a, S, N, C
     }
 
     /// Returns whether a place of a patch sees a place of a quadrilateral.
-    fn is_open(
+    pub(super) fn is_open(
         &self,
         site: &Site<S>,
         place: Vec3<S>,

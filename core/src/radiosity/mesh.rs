@@ -191,6 +191,20 @@ impl<'a, S: Scalar> Mesh<'a, S> {
         Some(whole.times(middle).over(count))
     }
 
+    /// Returns the area of the largest patch.
+    pub fn largest_area(&self) -> S::Power {
+        let mut most = S::Unit::ZERO.positive();
+        for area in self.patches().filter_map(|patch| self.area(patch)) {
+            most = if area.size() > most.size() { area } else { most };
+        }
+        most
+    }
+
+    /// Returns the area of a patch as a part of `whole`, which is larger or equal.
+    pub fn share(&self, patch: Patch, whole: S::Power) -> S::Unit {
+        self.area(patch).map_or(S::Unit::ZERO, |area| area.over(whole).unit())
+    }
+
     /// Returns the quadrilateral and (u, v) of a place at which a ray met an object; `None` for an object that is no quadrilateral. From
     /// which side it was met is not looked at.
     pub fn locate(&self, object: Object, place: Vec3<S>) -> Option<(usize, [S::Unit; 2])> {

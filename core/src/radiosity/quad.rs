@@ -4,7 +4,7 @@ use core::marker::PhantomData;
 
 use crate::color::Rgb;
 use crate::scalar::vector::{UnitVec3, Vec3, Vector};
-use crate::scalar::{Number, Scalar, Unit};
+use crate::scalar::{Scalar, Unit};
 
 /// A flat convex quadrilateral, divided into patches. One side reflects: that from which its corners run counterclockwise.
 #[derive(Clone, Copy, Debug)]

@@ -1,5 +1,6 @@
 //! Sums of light, and when sweeps end.
 
+use super::Error;
 use crate::color::Rgb;
 use crate::scalar::{Light, Unit};
 
@@ -15,6 +16,21 @@ pub struct Stop {
 impl Stop {
     /// As many bits as no change but 0 is small enough for.
     pub const STILL: u8 = u8::MAX;
+
+    /// Sweeps until an outcome is done, or as often as is allowed, but once at least.
+    pub(super) fn repeat<L>(
+        self,
+        mut sweep: impl FnMut() -> Result<Outcome<L>, Error>,
+    ) -> Result<Outcome<L>, Error> {
+        let mut sweeps = 0;
+        loop {
+            let outcome = sweep()?;
+            sweeps += 1;
+            if outcome.is_done || sweeps >= self.sweeps {
+                return Ok(Outcome { sweeps, ..outcome });
+            }
+        }
+    }
 }
 
 impl Default for Stop {
@@ -38,6 +54,7 @@ pub struct Outcome<L> {
 }
 
 /// A sum of light, register by register, and that of the weights.
+#[derive(Clone, Copy)]
 pub(super) struct Gathered<L: Light> {
     sums: Rgb<L::Sum>,
     whole: L::Sum,
@@ -54,14 +71,51 @@ impl<L: Light> Gathered<L> {
         self.sums = self.sums.zip(light, |sum, light| light.added(sum, weight));
     }
 
+    /// Adds light of which each register has a weight of its own.
+    pub(super) fn add_each(&mut self, light: Rgb<L>, weights: Rgb<L::Unit>) {
+        self.sums =
+            self.sums.zip(light.zip(weights, |light, weight| (light, weight)), |sum, (light, weight)| {
+                light.added(sum, weight)
+            });
+    }
+
+    /// Returns each sum over that of another.
+    pub(super) fn over_each(&self, whole: &Self) -> Rgb<L> {
+        self.sums.zip(whole.sums, |sum, whole| L::mean(sum, whole, L::Unit::ONE))
+    }
+
     /// Returns the mean times `factor`.
     pub(super) fn mean(&self, factor: Rgb<L::Unit>) -> Rgb<L> {
         self.sums.zip(factor, |sum, factor| L::mean(sum, self.whole, factor))
     }
 }
 
+/// The largest change of a sweep.
+pub(super) struct Watch<L> {
+    change: L,
+    largest: L,
+}
+
+impl<L: Light> Watch<L> {
+    pub(super) const NEW: Self = Self { change: L::ZERO, largest: L::ZERO };
+
+    /// Replaces the light of a patch, of which it reflects `reflected`.
+    pub(super) fn put(&mut self, light: &mut Rgb<L>, new: Rgb<L>, reflected: Rgb<L>) {
+        see(&mut self.change, light.zip(new, apart));
+        see(&mut self.largest, reflected);
+        *light = new;
+    }
+
+    /// Returns what came of the sweep, which is the last one where the change is below `2^-bits` of the largest.
+    pub(super) fn outcome(self, bits: u8) -> Outcome<L> {
+        let Self { change, largest } = self;
+        let is_small = bits != Stop::STILL && change.size() < largest.size().shift(-i32::from(bits));
+        Outcome { sweeps: 1, change, largest, is_done: is_small || change == L::ZERO }
+    }
+}
+
 /// Returns by how much two radiances differ.
-pub(super) fn apart<L: Light>(one: L, other: L) -> L {
+fn apart<L: Light>(one: L, other: L) -> L {
     let (more, less) = if one < other { (other, one) } else { (one, other) };
     let part = |light: L, sum: L::Sum, weight| light.added(sum, weight);
     let sum = part(less, part(more, L::EMPTY, L::Unit::ONE), -L::Unit::ONE);
@@ -69,7 +123,7 @@ pub(super) fn apart<L: Light>(one: L, other: L) -> L {
 }
 
 /// Makes `most` the largest register of it and a colour.
-pub(super) fn see<L: Light>(most: &mut L, light: Rgb<L>) {
+fn see<L: Light>(most: &mut L, light: Rgb<L>) {
     light.map(|light| {
         if light > *most {
             *most = light;

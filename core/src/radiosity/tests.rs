@@ -16,6 +16,7 @@ use crate::shape::Triangle;
 mod factor;
 mod gather;
 mod mesh;
+mod room;
 mod vertex;
 
 /// Returns the light of three registers, each below 2.
