@@ -160,6 +160,12 @@ impl<'a, S: Scalar> Mesh<'a, S> {
         self.quads.get(patch.quad).map_or(Rgb::BLACK, |quad| quad.emitted(patch.cell))
     }
 
+    /// Returns the unit normal of a quadrilateral on the side that reflects.
+    pub fn normal(&self, quad: usize) -> Option<UnitVec3<S>> {
+        let quad = self.quads.get(quad)?;
+        self.triangles.get(index(quad.triangle)).map(|triangle| triangle.normal)
+    }
+
     /// Returns what is needed to send rays from a patch; `None` for a patch that is not there, and for a quadrilateral without an area.
     pub fn site(&self, patch: Patch) -> Option<Site<'a, S>> {
         let quad = self.quads.get(patch.quad)?;
