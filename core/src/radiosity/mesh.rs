@@ -211,6 +211,17 @@ impl<'a, S: Scalar> Mesh<'a, S> {
         self.area(patch).map_or(S::Unit::ZERO, |area| area.over(whole).unit())
     }
 
+    /// Returns the form factor from a patch, the receiver, to another from the other's own factors `row`, since `A_i F_ij = A_j F_ji`; at most
+    /// 1.99.
+    pub fn turned(&self, receiver: Patch, source: Patch, row: &[S::Unit]) -> S::Unit {
+        let factor = self.number(receiver).and_then(|number| row.get(number)).copied();
+        let (Some(factor), Some(own), Some(other)) = (factor, self.area(receiver), self.area(source)) else {
+            return S::Unit::ZERO;
+        };
+        let (turned, most) = (factor.positive().times(other).over(own).unit(), S::Unit::ratio(199, 100));
+        if turned > most { most } else { turned }
+    }
+
     /// Returns the quadrilateral and (u, v) of a place at which a ray met an object; `None` for an object that is no quadrilateral. From
     /// which side it was met is not looked at.
     pub fn locate(&self, object: Object, place: Vec3<S>) -> Option<(usize, [S::Unit; 2])> {

@@ -18,6 +18,7 @@ mod follow;
 mod gather;
 mod mesh;
 mod room;
+mod shoot;
 mod vertex;
 
 /// Returns the light of three registers, each below 2.
