@@ -110,7 +110,9 @@ impl<S: Scalar, N: Needs, C: Casts<S>, A: Accelerator<S>> Solver<'_, S, N, C, A>
     /// Returns the patch that a ray meets, `Some(None)` for one that is met from behind, and `None` for what is none.
     fn patch_of(&self, Start { origin, direction }: Start<S>, hit: Hit<S>) -> Option<Option<Met>> {
         let mesh = self.mesh();
-        let (quad, at) = mesh.locate(hit.object, origin.along(direction, hit.distance))?;
+        let place = origin.along(direction, hit.distance);
+        let found = mesh.locate(hit.object, place)?;
+        let (quad, at) = if C::TIES { mesh.last_beside(found, place, direction) } else { found };
         let is_front = mesh.normal(quad)?.dot(direction) < S::Unit::ZERO;
         let patch = mesh.at(quad, at).filter(|_| is_front);
         Some(patch.and_then(|patch| Some((patch, mesh.number(patch)?))))

@@ -239,6 +239,34 @@ impl<'a, S: Scalar> Mesh<'a, S> {
         Some((found, quad.solved(triangle.normal, place, about)))
     }
 
+    /// Returns the last quadrilateral that a ray in this direction meets at a place of one, which differs from that where the place is on its edge.
+    pub(super) fn last_beside(
+        &self,
+        found: (usize, [S::Unit; 2]),
+        place: Vec3<S>,
+        direction: UnitVec3<S>,
+    ) -> (usize, [S::Unit; 2]) {
+        let near = S::Unit::ratio(1, 1 << 10);
+        let is_inner = |at: S::Unit| at > near && at < S::Unit::ONE - near;
+        if found.1.into_iter().all(is_inner) {
+            return found;
+        }
+        let beside = |number: usize| {
+            let quad = self.quads.get(number)?;
+            let normal = self.normal(number).filter(|normal| normal.dot(direction) < S::Unit::ZERO)?;
+            // What rounding may have taken the place off the edge.
+            let (_, apart) = place.clearance(self.site(Patch { quad: number, cell: [0; 2] })?.extent);
+            let is_near = |way: Vec3<S>| way.norm_squared() <= apart.square();
+            let height = (place - quad.corners[0]).dot(normal);
+            if height > apart || -height > apart {
+                return None;
+            }
+            let halves = [0, 1].map(|half| self.locate(Object::Triangle(quad.triangle + half), place));
+            halves.into_iter().flatten().find(|&(_, at)| is_near(quad.place(at) - place))
+        };
+        (found.0 + 1..self.quads.len()).rev().find_map(beside).unwrap_or(found)
+    }
+
     /// Returns the patch at (u, v) of a quadrilateral.
     pub fn at(&self, quad: usize, [u, v]: [S::Unit; 2]) -> Option<Patch> {
         let [nu, nv] = self.quads.get(quad)?.patches;
