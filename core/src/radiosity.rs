@@ -17,7 +17,11 @@
 //!
 //! Light is in slices of the caller, in the order of the patches' numbers. What is seen from a patch is found by rays ([`Rays`]) or along the
 //! cells of a hemi-cube ([`HemiCube`]), through the scene's own accelerator. A ray that meets a quadrilateral from behind, or anything else
-//! that has no patches, is lost: it brings no light.
+//! that has no patches, is lost: it brings no light. Mirrors and glass send it on, up to four times, weighted as by [`Rta`]: extended form
+//! factors (Wallace, Cohen and Greenberg 1987; Sillion and Puech 1989). Light that lamps send through them is found by such rays alone, and so
+//! well only where lamps are large.
+//!
+//! [`Rta`]: crate::illumination::Rta
 
 use core::fmt;
 
@@ -27,6 +31,7 @@ mod cast;
 #[cfg(feature = "f64")]
 pub mod exact;
 mod factor;
+mod follow;
 mod gather;
 mod indirect;
 mod matrix;

@@ -20,6 +20,8 @@ pub struct Cast<S: Scalar> {
 
 /// The rays from a patch, along which it sees the others.
 pub trait Casts<S: Scalar>: Copy + Send + Sync {
+    /// Whether so many rays meet edges of patches exactly that it matters whose those are: that of the highest number.
+    const TIES: bool = false;
     /// Returns how many rays there are.
     fn count(&self) -> u32;
     /// Returns ray number `k` of the patch with the number `patch` in quadrilateral number `quad`.
@@ -73,7 +75,10 @@ impl<S: Scalar> HemiCube<S> {
     }
 }
 
+/// Edges of walls that stand in a row with the middles of cells are met exactly.
 impl<S: Scalar> Casts<S> for HemiCube<S> {
+    const TIES: bool = true;
+
     fn count(&self) -> u32 {
         3 * u32::from(self.side).pow(2)
     }

@@ -2,7 +2,7 @@
 
 use core::marker::PhantomData;
 
-use super::cast::{Cast, Casts};
+use super::cast::Casts;
 use super::factor::point_to_polygon;
 use super::mesh::{Mesh, Patch, Site};
 use super::sweep::{Gathered, Outcome, Stop, Watch};
@@ -12,7 +12,6 @@ use crate::color::Rgb;
 use crate::needs::Needs;
 use crate::range::Admitted;
 use crate::sampling::pairs::{Purpose, pair};
-use crate::scalar::vector::{LengthVector, UnitVec3, UnitVector, Vec3};
 use crate::scalar::{Light, Scalar, Unit};
 
 /// Solves for the light of a mesh: `B = E + X`, with `X = rho (H + F X)`, where H is what arrives straight from patches that emit.
@@ -44,6 +43,16 @@ impl<'a, S: Scalar, N: Needs, C: Casts<S>, A: Accelerator<S>> Solver<'a, S, N, C
     /// beside it, four places of those in room G, 3 x 3 patches a wall, find 1.4 % too much, 16 places 0.3 %.
     pub fn with_places(self, side: u16) -> Self {
         Self { places: side.max(1), ..self }
+    }
+
+    /// Returns the rays of a patch.
+    pub(super) const fn casts(&self) -> &C {
+        &self.casts
+    }
+
+    /// Returns the scene.
+    pub(super) const fn scene(&self) -> &'a Admitted<'a, S, A> {
+        self.scene
     }
 
     /// Returns the mesh.
@@ -132,17 +141,19 @@ impl<'a, S: Scalar, N: Needs, C: Casts<S>, A: Accelerator<S>> Solver<'a, S, N, C
         memory: &mut A::Memory,
     ) -> Rgb<S::Light> {
         let mut gathered = Gathered::NOTHING;
-        self.each(site, memory, |met, weight| {
-            gathered.weigh(weight);
-            let Some((patch, number)) = met else { return };
+        let weigh = |gathered: &mut Gathered<S::Light>, weight| gathered.weigh(weight);
+        self.each(site, memory, &mut gathered, weigh, |gathered, (patch, number), weights, is_straight| {
             let light = reflected.get(number).copied().unwrap_or(Rgb::BLACK);
-            let is_found = self.lamps.is_none();
-            gathered.add(if is_found { light.plus(self.mesh.emitted(patch)) } else { light }, weight);
+            // H is what comes straight from lamps.
+            let is_in_h = is_straight && self.lamps.is_some();
+            let light = if is_in_h { light } else { light.plus(self.mesh.emitted(patch)) };
+            gathered.add_each(light, weights);
         });
         gathered.mean(factor)
     }
 
-    /// Writes the form factors from a patch to all, in the order of their numbers. They come to 1, less the part of what is lost.
+    /// Writes the form factors from a patch to all, in the order of their numbers. They come to 1, less the part of what is
+    /// lost. Through coloured mirrors they are those of the green register.
     ///
     /// # Errors
     /// [`Error::Room`] where the slice is shorter than the mesh.
@@ -150,52 +161,24 @@ impl<'a, S: Scalar, N: Needs, C: Casts<S>, A: Accelerator<S>> Solver<'a, S, N, C
         let row = room(row, self.mesh.len())?;
         row.fill(S::Unit::ZERO);
         let Some(site) = self.mesh.site(patch) else { return Ok(()) };
-        let mut whole = S::Unit::ZERO;
-        self.each(&site, &mut A::Memory::default(), |met, weight| {
-            whole = whole + weight;
-            if let Some(factor) = met.and_then(|(_, number)| row.get_mut(number)) {
-                *factor = *factor + weight;
-            }
-        });
+        let mut found = (row, S::Unit::ZERO);
+        let weigh = |(_, whole): &mut (&mut [S::Unit], S::Unit), weight| *whole = *whole + weight;
+        self.each(
+            &site,
+            &mut A::Memory::default(),
+            &mut found,
+            weigh,
+            |(row, _), (_, number), weights, _| {
+                if let Some(factor) = row.get_mut(number) {
+                    *factor = *factor + weights.g;
+                }
+            },
+        );
+        let (row, whole) = found;
         for factor in row {
             *factor = factor.quotient(whole);
         }
         Ok(())
-    }
-
-    /// Calls `see` for each ray of a patch with the patch that it meets and that one's number, if any, and with its weight.
-    fn each(
-        &self,
-        site: &Site<S>,
-        memory: &mut A::Memory,
-        mut see: impl FnMut(Option<(Patch, usize)>, S::Unit),
-    ) {
-        let (patch, quad) = names(site);
-        for k in 0..self.casts.count() {
-            let Cast { place, direction, weight } = self.casts.cast(patch, quad, k);
-            let at = site.quad.within(site.patch.cell, place);
-            let weight = weight.times(site.weight(at));
-            let met = self.meets(site, site.quad.place(at), site.frame.vector(direction), memory);
-            see(met, weight);
-        }
-    }
-
-    /// Returns the patch that a ray from a place of a patch meets from the front, and its number.
-    fn meets(
-        &self,
-        site: &Site<S>,
-        place: Vec3<S>,
-        direction: UnitVec3<S>,
-        memory: &mut A::Memory,
-    ) -> Option<(Patch, usize)> {
-        let (origin, _) = place.leave(site.normal, direction, site.extent);
-        let ray = self.scene.ray::<N>(origin, direction);
-        let hit = self.scene.accelerator().closest::<N>(self.scene, &ray, memory)?;
-        let (quad, at) = self.mesh.locate(hit.object, origin.along(direction, hit.distance))?;
-        let other = self.mesh.site(Patch { quad, cell: [0; 2] })?;
-        let is_front = other.normal.dot(direction) < S::Unit::ZERO;
-        let patch = self.mesh.at(quad, at).filter(|_| is_front)?;
-        Some((patch, self.mesh.number(patch)?))
     }
 
     /// Returns H of a patch: what arrives straight from patches that emit, the mean over the middles of its quarters, or see
@@ -233,22 +216,10 @@ impl<'a, S: Scalar, N: Needs, C: Casts<S>, A: Accelerator<S>> Solver<'a, S, N, C
         let one = S::Unit::ONE;
         gathered.mean(Rgb::new(one, one, one))
     }
-
-    /// Returns whether a place of a patch sees a place of a quadrilateral.
-    pub(super) fn is_open(
-        &self,
-        site: &Site<S>,
-        place: Vec3<S>,
-        (quad, there): (usize, Vec3<S>),
-        memory: &mut A::Memory,
-    ) -> bool {
-        let Some((direction, ..)) = (there - place).normalize() else { return false };
-        self.meets(site, place, direction, memory).is_some_and(|(met, _)| met.quad == quad)
-    }
 }
 
 /// Returns the number of a patch in its quadrilateral, and that of the quadrilateral, by which its random numbers are told apart.
-fn names<S: Scalar>(site: &Site<S>) -> (u32, u32) {
+pub(super) fn names<S: Scalar>(site: &Site<S>) -> (u32, u32) {
     let [i, j] = site.patch.cell.map(u32::from);
     let [nu, _] = site.quad.patches.map(u32::from);
     (i + nu * j, u32::try_from(site.patch.quad).unwrap_or(u32::MAX))

@@ -163,6 +163,12 @@ impl<'a, S: Scalar> Mesh<'a, S> {
         self.quads.get(patch.quad).map_or(Rgb::BLACK, |quad| quad.emitted(patch.cell))
     }
 
+    /// Returns the unit normal of a quadrilateral on the side that reflects.
+    pub fn normal(&self, quad: usize) -> Option<UnitVec3<S>> {
+        let quad = self.quads.get(quad)?;
+        self.triangles.get(index(quad.triangle)).map(|triangle| triangle.normal)
+    }
+
     /// Returns what is needed to send rays from a patch; `None` for a patch that is not there, and for a quadrilateral without an area.
     pub fn site(&self, patch: Patch) -> Option<Site<'a, S>> {
         let quad = self.quads.get(patch.quad)?;
@@ -208,6 +214,17 @@ impl<'a, S: Scalar> Mesh<'a, S> {
         self.area(patch).map_or(S::Unit::ZERO, |area| area.over(whole).unit())
     }
 
+    /// Returns the form factor from a patch, the receiver, to another from the other's own factors `row`, since `A_i F_ij = A_j F_ji`; at most
+    /// 1.99.
+    pub fn turned(&self, receiver: Patch, source: Patch, row: &[S::Unit]) -> S::Unit {
+        let factor = self.number(receiver).and_then(|number| row.get(number)).copied();
+        let (Some(factor), Some(own), Some(other)) = (factor, self.area(receiver), self.area(source)) else {
+            return S::Unit::ZERO;
+        };
+        let (turned, most) = (factor.positive().times(other).over(own).unit(), S::Unit::ratio(199, 100));
+        if turned > most { most } else { turned }
+    }
+
     /// Returns the quadrilateral and (u, v) of a place at which a ray met an object; `None` for an object that is no quadrilateral. From
     /// which side it was met is not looked at.
     pub fn locate(&self, object: Object, place: Vec3<S>) -> Option<(usize, [S::Unit; 2])> {
@@ -221,10 +238,32 @@ impl<'a, S: Scalar> Mesh<'a, S> {
         Some((found, quad.solved(triangle.normal, place)))
     }
 
-    /// Returns the unit normal of a quadrilateral on the side that reflects; `None` for one that is not there.
-    pub fn normal(&self, quad: usize) -> Option<UnitVec3<S>> {
-        let quad = self.quads.get(quad)?;
-        self.triangles.get(index(quad.triangle)).map(|triangle| triangle.normal)
+    /// Returns the last quadrilateral that a ray in this direction meets at a place of one, which differs from that where the place is on its edge.
+    pub(super) fn last_beside(
+        &self,
+        found: (usize, [S::Unit; 2]),
+        place: Vec3<S>,
+        direction: UnitVec3<S>,
+    ) -> (usize, [S::Unit; 2]) {
+        let near = S::Unit::ratio(1, 1 << 10);
+        let is_inner = |at: S::Unit| at > near && at < S::Unit::ONE - near;
+        if found.1.into_iter().all(is_inner) {
+            return found;
+        }
+        let beside = |number: usize| {
+            let quad = self.quads.get(number)?;
+            let normal = self.normal(number).filter(|normal| normal.dot(direction) < S::Unit::ZERO)?;
+            // What rounding may have taken the place off the edge.
+            let (_, apart) = place.clearance(self.site(Patch { quad: number, cell: [0; 2] })?.extent);
+            let is_near = |way: Vec3<S>| way.norm_squared() <= apart.square();
+            let height = (place - quad.corners[0]).dot(normal);
+            if height > apart || -height > apart {
+                return None;
+            }
+            let at = quad.solved(normal, place);
+            is_near(quad.place(at) - place).then_some((number, at))
+        };
+        (found.0 + 1..self.quads.len()).rev().find_map(beside).unwrap_or(found)
     }
 
     /// Returns the patch at (u, v) of a quadrilateral.

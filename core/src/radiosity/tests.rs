@@ -14,9 +14,11 @@ use crate::scene::{PLAIN, Scene, Sky};
 use crate::shape::Triangle;
 
 mod factor;
+mod follow;
 mod gather;
 mod mesh;
 mod room;
+mod shoot;
 mod vertex;
 
 /// Returns the light of three registers, each below 2.
@@ -57,6 +59,22 @@ impl<S: Read> Faces<S> {
     }
 
     fn push(&mut self, corners: [[f64; 3]; 4], patches: [u16; 2], wall: Wall) {
+        let first = self.quads.last().map_or(0, |last| last.first + last.len() as u32);
+        self.quads.push(Quad {
+            corners: corners.map(place::<S>),
+            patches,
+            first,
+            reflectance: color::<S>(wall.reflectance),
+            emission: light::<S>(wall.emission),
+            emitting: [[0; 2], patches],
+            triangle: self.triangles.len() as u32,
+            triangles: 2,
+        });
+        self.bare_face(corners, [0.0; 3], PLAIN);
+    }
+
+    /// Adds two triangles without patches.
+    fn bare_face(&mut self, corners: [[f64; 3]; 4], own: [f64; 3], material: u16) {
         let minus = |a: [f64; 3], b: [f64; 3]| [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
         let cross = |a: [f64; 3], b: [f64; 3]| {
             [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
@@ -65,8 +83,6 @@ impl<S: Read> Faces<S> {
         let normal = cross(minus(corners[2], corners[0]), minus(corners[3], corners[1]));
         let size = length(normal);
         let normal = direction::<S>(normal.map(|c| c / size));
-        let first = self.quads.last().map_or(0, |last| last.first + last.len() as u32);
-        let triangle = self.triangles.len() as u32;
         for [b, c] in [[1, 2], [2, 3]] {
             let extent = length(minus(corners[b], corners[0])).max(length(minus(corners[c], corners[0])));
             self.triangles.push(Triangle {
@@ -75,20 +91,10 @@ impl<S: Read> Faces<S> {
                 normal,
                 normals: None,
                 one_sided: false,
-                color: color::<S>([0.0; 3]),
-                material: PLAIN,
+                color: color::<S>(own),
+                material,
             });
         }
-        self.quads.push(Quad {
-            corners: corners.map(place::<S>),
-            patches,
-            first,
-            reflectance: color::<S>(wall.reflectance),
-            emission: light::<S>(wall.emission),
-            emitting: [[0; 2], patches],
-            triangle,
-            triangles: 2,
-        });
     }
 
     /// Returns the unit cube, seen from inside: floor, ceiling, x = 0, x = 1, y = 0, y = 1, each of n x n patches, u along its first axis. If

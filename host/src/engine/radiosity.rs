@@ -29,6 +29,10 @@ use light::{Found, gathered, rows, shot};
 /// The most patches whose factors are kept: 512 MB of them in `f64`.
 pub const MOST_IN_MATRIX: usize = 8192;
 
+/// How often a patch asks what emits for light, each time from four places of it by a ray to another place on each patch that emits: where it
+/// lies in a shadow's edge, one time has much noise.
+const LAMP_ROUNDS: u32 = 4;
+
 /// How a scene is solved.
 #[derive(Clone, Copy, Debug)]
 pub struct Settings {
@@ -241,9 +245,12 @@ impl<S: Narrow> Work<'_, S> {
         let count = self.mesh.len();
         match method {
             Method::Gather => {
-                gathered(&solver, Stop { sweeps: sweeps.unwrap_or(16), ..Stop::default() }, self.stop)
+                let stop = Stop { sweeps: sweeps.unwrap_or(16), ..Stop::default() };
+                gathered(&solver, self.direct(casts), stop, self.stop)
             }
-            Method::Shoot => shot(&solver, u32::from(sweeps.unwrap_or(1000)) * 100, self.stop),
+            Method::Shoot => {
+                shot(&solver, self.direct(casts), u32::from(sweeps.unwrap_or(1000)) * 100, self.stop)
+            }
             Method::Seidel | Method::Gauss => {
                 let mut room = vec![S::unit(0.0); count * count];
                 let mut progress = Progress::new(u32::try_from(count).unwrap_or(u32::MAX));
@@ -270,5 +277,23 @@ impl<S: Narrow> Work<'_, S> {
                 )
             }
         }
+    }
+
+    /// Returns what arrives at each patch straight from what emits: the mean of several solvers with different places on lamps.
+    fn direct<C: Casts<S>>(&self, casts: C) -> Vec<Rgb<S::Light>> {
+        let mut sums = vec![[0.0; 3]; self.mesh.len()];
+        for number in 0..LAMP_ROUNDS {
+            let seed = self.settings.seed.wrapping_add(number);
+            let solver = Solver::<S, Everything, C, _>::new(self.admitted, self.mesh, casts, seed);
+            for (sum, patch) in sums.iter_mut().zip(self.mesh.patches()) {
+                let Rgb { r, g, b } = solver.arriving(patch, &mut ());
+                sum.iter_mut().zip([r, g, b]).for_each(|(sum, light)| *sum += S::light_to_f64(light));
+            }
+        }
+        let mean = |sum: [f64; 3]| {
+            let [r, g, b] = sum.map(|sum| S::light(sum / f64::from(LAMP_ROUNDS)));
+            Rgb::new(r, g, b)
+        };
+        sums.into_iter().map(mean).collect()
     }
 }

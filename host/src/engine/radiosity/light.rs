@@ -29,16 +29,16 @@ pub(super) struct Found<S: Scalar> {
     pub(super) is_done: bool,
 }
 
-/// Gathers.
+/// Gathers; `direct` is what arrives straight from what emits.
 pub(super) fn gathered<S: Narrow, C: Casts<S>, A: Accelerator<S>>(
     solver: &Solver<'_, S, Everything, C, A>,
+    direct: Vec<Rgb<S::Light>>,
     stop: Stop,
     interrupt: &AtomicBool,
 ) -> Result<Found<S>, RadiosityError> {
     let mesh = *solver.mesh();
     let mut reflected = vec![Rgb::BLACK; mesh.len()];
     let mut memory = A::Memory::default();
-    let direct: Vec<_> = mesh.patches().map(|patch| solver.arriving(patch, &mut memory)).collect();
     let mut progress = Progress::new(u32::from(stop.sweeps) + 1);
     let mut sweeps = 0;
     let outcome = loop {
@@ -57,16 +57,17 @@ pub(super) fn gathered<S: Narrow, C: Casts<S>, A: Accelerator<S>>(
     Ok(Found { direct, indirect, rounds: sweeps, left, is_done: outcome.is_done })
 }
 
-/// Shoots.
+/// Shoots; `direct` is what arrives straight from what emits.
 pub(super) fn shot<S: Narrow, C: Casts<S>, A: Accelerator<S>>(
     solver: &Solver<'_, S, Everything, C, A>,
+    direct: Vec<Rgb<S::Light>>,
     most: u32,
     interrupt: &AtomicBool,
 ) -> Result<Found<S>, RadiosityError> {
     let mesh = *solver.mesh();
     let black = vec![Rgb::BLACK; mesh.len()];
-    let (mut light, mut unshot) = (black.clone(), black.clone());
-    let (mut direct, mut memory) = (black, A::Memory::default());
+    let (mut light, mut unshot) = (black.clone(), black);
+    let mut memory = A::Memory::default();
     let mut shooter = Shooter::new(mesh, &mut light, &mut unshot)?;
     let mut progress = Progress::new(1000);
     let mut rounds = 0;
@@ -82,9 +83,6 @@ pub(super) fn shot<S: Narrow, C: Casts<S>, A: Accelerator<S>>(
         rounds += 1;
     };
     // What emitters send by themselves is told apart; what is left is as if it went round evenly.
-    for (direct, patch) in direct.iter_mut().zip(mesh.patches()) {
-        *direct = solver.arriving(patch, &mut memory);
-    }
     let zero = S::Unit::ZERO;
     let indirect = mesh.patches().zip(&direct).map(|(patch, direct)| {
         let all = shooter.with_ambient(patch);
