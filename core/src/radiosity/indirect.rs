@@ -2,14 +2,16 @@
 //!
 //! J. Wallace, M. Cohen and D. Greenberg, "A Two-pass Solution to the Rendering Equation", SIGGRAPH 87.
 
-use super::cast::Casts;
+use super::cast::{Casts, Rays};
 use super::gather::Solver;
-use super::sweep::Gathered;
+use super::mesh::Mesh;
+use super::sweep::{Gathered, Stop};
 use super::vertex::Solution;
 use super::{Error, room};
 use crate::accelerator::Accelerator;
 use crate::color::Rgb;
 use crate::needs::Needs;
+use crate::range::Admitted;
 use crate::scalar::vector::UnitVector;
 use crate::scalar::{Light, Scalar, Unit};
 use crate::scene::Object;
@@ -35,6 +37,24 @@ impl<S: Scalar> Indirect<'_, S> {
             Some((quad, at)) => self.arriving.at(quad, at),
             None => self.elsewhere,
         }
+    }
+}
+
+impl<'a, S: Scalar, N: Needs, A: Accelerator<S>> Solver<'a, S, N, Rays, A> {
+    /// Solves for the indirect light of a scene by 64 rays a patch: what a board does that draws a room it was not told the light of. Both
+    /// slices are as long as there are patches, and `arriving` is what [`Indirect`] borrows. Returns the mean of it over the area.
+    ///
+    /// # Errors
+    /// [`Error::Room`] where a slice is shorter than the mesh.
+    pub fn indirect_light(
+        scene: &'a Admitted<'a, S, A>,
+        mesh: Mesh<'a, S>,
+        reflected: &mut [Rgb<S::Light>],
+        arriving: &mut [Rgb<S::Light>],
+    ) -> Result<Rgb<S::Light>, Error> {
+        let solver = Self::new(scene, mesh, Rays { count: 64, seed: 0 }, 0);
+        solver.solve(reflected, Some(arriving), Stop::default())?;
+        solver.over_pi(reflected, arriving)
     }
 }
 

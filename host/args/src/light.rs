@@ -7,7 +7,9 @@ use clap::{Args, ValueEnum};
 /// Light that was solved ahead.
 #[derive(Args, Clone, Debug, Default)]
 pub struct LightArgs {
-    /// Radiosity that rta radiosity solved for this scene, in its file
+    /// Radiosity that rta radiosity solved for this scene, in its file; or solve
+    ///
+    /// solve: the picture's own format, 64 rays a patch, as a board does that solves by itself.
     #[arg(long, value_name = "FILE")]
     pub light: Option<PathBuf>,
     /// How the solved radiosity is shown

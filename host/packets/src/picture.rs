@@ -225,6 +225,7 @@ impl<S: Format> Ready<S> {
         if depth > limits.depth {
             narrowed.scene().check_depth(depth)?;
         }
+        narrowed.solve(scene, limits)?;
         // Last, as it takes longest: a scene that is refused is refused at once.
         let packets = Packets::build::<S>(scene);
         Ok(Self { scene: narrowed, packets, limits, setup: *setup })

@@ -37,6 +37,9 @@ pub enum RequestError {
         /// What the system says.
         source: io::Error,
     },
+    /// Light that a picture solves for by itself is indirect light.
+    #[error("--light solve is indirect light alone: --light-as all is for a file of rta radiosity")]
+    Unsolved,
     /// It is none of the scene.
     #[error("{name}: {source}")]
     Light {

@@ -25,6 +25,9 @@ use super::error::RequestError;
 use super::scene_file::SceneFile;
 use crate::args::light::{self, LightArgs};
 
+/// What stands for light that a picture solves for by itself.
+const SOLVE: &str = "solve";
+
 /// The words that a file begins with.
 const HEADER: &str = "rta radiosity 1";
 
@@ -81,6 +84,15 @@ pub fn fingerprint(scene: &Description) -> u64 {
 /// [`RequestError::NoLight`] where the file cannot be read, and [`RequestError::Light`] where it is no solution of the scene.
 pub fn open(asked: &LightArgs, scene: &SceneFile) -> Result<Option<Arc<Solved>>, RequestError> {
     let Some(path) = &asked.light else { return Ok(None) };
+    if path.as_os_str() == SOLVE {
+        return match asked.light_as {
+            light::Shown::Indirect => {
+                let solution = Solution { patches: None, arriving: Vec::new() };
+                Ok(Some(Arc::new(Solved { shown: Shown::Indirect, solution })))
+            }
+            light::Shown::All => Err(RequestError::Unsolved),
+        };
+    }
     let name = path.display().to_string();
     let text =
         fs::read_to_string(path).map_err(|source| RequestError::NoLight { name: name.clone(), source })?;

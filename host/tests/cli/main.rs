@@ -20,6 +20,7 @@ mod palette;
 mod parts;
 mod pictures;
 mod pipes;
+mod radiosity;
 mod refused;
 mod report;
 mod show;

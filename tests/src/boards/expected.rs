@@ -82,6 +82,9 @@ fn engine(picture: &Picture, (width, height): (u32, u32)) -> Result<Engine, Fail
     let text = std::fs::read(&picture.file)?;
     let mut scene = rta_scenes::read(&text, &picture.file.display().to_string())?;
     scene.load_pictures(picture.file.parent().unwrap_or_else(|| Path::new("")), TEXELS)?;
+    if picture.solves {
+        scene = scene.unsolved();
+    }
     let format: Format = picture.format;
     let model = picture.model.unwrap_or(scene.model);
     let sampling =

@@ -44,6 +44,8 @@ pub struct Picture {
     pub format: Format,
     /// How lamps with a size are asked for their light: [`Lamps::Point`] or [`Lamps::Area`].
     pub lamps: Lamps,
+    /// Whether the program solves for the radiosity of the scene.
+    pub solves: bool,
     /// Whether the program holds only what this scene needs, or all that any scene may need.
     pub baked: bool,
     /// How its colours are chosen.
@@ -64,7 +66,9 @@ impl Picture {
             let is_own = match self.scene {
                 scene if scene == MODELS.0 => false,
                 // On each processor.
-                scene if scene == SPREAD.0 => !matches!(board.name, "lm3s6965evb-oled" | "pc-floppy"),
+                scene if scene == SPREAD.0 || scene == ROOM.0 => {
+                    !matches!(board.name, "lm3s6965evb-oled" | "pc-floppy")
+                }
                 scene if OF_SURFACES.iter().any(|(own, _)| *own == scene) => {
                     matches!(board.name, "microbit" | "sparc" | "wasm")
                 }
@@ -155,7 +159,10 @@ const OF_SURFACES: [(&str, &str); 2] =
 /// A scene with everything that spreads rays, which every board draws in both fixed-point formats with 4 samples a pixel.
 const SPREAD: (&str, &str) = ("spread", "scenes/spread.rta");
 
-/// Its raster.
+/// A room for whose light every board solves before it draws it.
+const ROOM: (&str, &str) = ("room", "scenes/room.rta");
+
+/// The raster of both.
 const OF_SPREAD: (u32, u32) = (40, 30);
 
 /// The scenes that are drawn: name, and file relative to the folder of the boards.
@@ -212,6 +219,7 @@ impl Board {
                     model: None,
                     format,
                     lamps: Lamps::Point,
+                    solves: false,
                     baked: true,
                     colors: Colors::Standard,
                     size,
@@ -246,6 +254,7 @@ impl Board {
             model: Some(model),
             format: Format::Q16,
             lamps: Lamps::Point,
+            solves: false,
             baked: true,
             colors: Colors::Standard,
             size,
@@ -255,6 +264,14 @@ impl Board {
         let size = if matches!(self.output, Output::Panel { .. }) { size } else { OF_SPREAD };
         let spread = Picture { lamps: Lamps::Area, size, ..picture(SPREAD, Model::Whitted) };
         pictures.extend([Format::Q16, Format::Q20].map(|format| Picture { format, ..spread.clone() }));
+        let room = Picture { solves: true, ..spread };
+        let (scene, file) = ROOM;
+        pictures.push(Picture {
+            scene,
+            file: super::folder().join(file),
+            model: Some(Model::Lambert),
+            ..room
+        });
         if self.name == "microbit" {
             let measured = [Model::Whitted].into_iter().chain(LIMITS.map(|(model, _)| model));
             let measured = measured.flat_map(|model| MEASURED.map(|scene| picture(scene, model)));

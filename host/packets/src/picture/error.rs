@@ -12,6 +12,8 @@ pub enum PictureError {
     Narrow(NarrowError),
     /// Raster, depth, or what the core's own range check finds.
     Core(Error),
+    /// The quads, for whose radiosity is to be solved.
+    Radiosity(rta_core::radiosity::Error),
 }
 
 impl fmt::Display for PictureError {
@@ -19,6 +21,7 @@ impl fmt::Display for PictureError {
         match self {
             Self::Narrow(error) => error.fmt(f),
             Self::Core(error) => error.fmt(f),
+            Self::Radiosity(error) => error.fmt(f),
         }
     }
 }
@@ -34,5 +37,11 @@ impl From<NarrowError> for PictureError {
 impl From<Error> for PictureError {
     fn from(error: Error) -> Self {
         Self::Core(error)
+    }
+}
+
+impl From<rta_core::radiosity::Error> for PictureError {
+    fn from(error: rta_core::radiosity::Error) -> Self {
+        Self::Radiosity(error)
     }
 }

@@ -11,7 +11,7 @@ use core::marker::PhantomData;
 use rta_core::Scalar;
 use rta_core::accelerator::Accelerator;
 use rta_core::color::Rgb;
-use rta_core::radiosity::{Indirect, Mesh, Rays, Solution, Solver, Stop};
+use rta_core::radiosity::{Indirect, Mesh, Solution, Solver};
 use rta_core::range::Admitted;
 use rta_core::raster::lattice::Lattice;
 use rta_core::raster::{Center, Pixels, Places, Raster};
@@ -40,9 +40,6 @@ enum Colors {
     /// By such a palette, with error diffusion.
     Dithered,
 }
-
-/// Rays of a patch, where radiosity is solved.
-const RAYS: u32 = 64;
 
 /// The most samples of which a palette is made: a sixteenth of the pixels of 160 x 100. They are 3 KiB on the stack.
 const SAMPLES: usize = 1024;
@@ -196,9 +193,7 @@ fn indirect<'a, A: Accelerator<scene::Number>>(
         return Some(Indirect { arriving, elsewhere: scene::ELSEWHERE });
     }
     let [reflected, arriving] = memory;
-    let solver = Solver::<_, Needs, _, A>::new(scene, mesh, Rays { count: RAYS, seed: 0 }, 0);
-    solver.solve(reflected, Some(arriving), Stop::default()).ok()?;
-    let elsewhere = solver.over_pi(reflected, arriving).ok()?;
+    let elsewhere = Solver::<_, Needs, _, A>::indirect_light(scene, mesh, reflected, arriving).ok()?;
     Some(Indirect { arriving: Solution::new(mesh, arriving).ok()?, elsewhere })
 }
 
