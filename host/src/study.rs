@@ -17,3 +17,4 @@ mod sheet;
 pub mod stability;
 pub mod trail;
 pub mod values;
+pub mod visibility;

@@ -85,6 +85,9 @@ pub enum StudyError {
     /// A stated value is off.
     #[error("a value is off")]
     Off,
+    /// The rays of a picture have no common denominator below 2^31.
+    #[error("the rays of a picture of {0} with this shape of screen and focal distance are no integers below 2^31")]
+    Raster(Size),
     /// The report's tables or diagrams cannot be made.
     #[error("the report: {0}")]
     Report(Box<dyn core::error::Error + Send + Sync>),

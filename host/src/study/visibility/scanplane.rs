@@ -1,0 +1,241 @@
+//! The continuous scan-plane (G. Hamlin and C. Gear, "Raster-Scan Hidden Surface Algorithm Techniques", SIGGRAPH 77): the picture is cut in slabs at
+//! the heights of all vertices and of all points where edges cross, so that within a slab edges have one order, and between two neighbours one
+//! triangle is seen. It knows no pixels: what comes out is the visible area of each triangle, as by the polygons that K. Weiler and P. Atherton cut
+//! ("Hidden Surface Removal Using Polygon Area Sorting", SIGGRAPH 77). In `f64`; the only one of the algorithms that rounds.
+//!
+//! Lines in which two triangles pierce each other are edges too. The picture of ids is sampled from the slabs afterwards.
+
+use core::ops::Range;
+
+use super::integer::{View, pixels};
+use super::outcome::{Counts, LeftOut, Outcome, sorting};
+
+mod edges;
+
+pub(super) use edges::distance;
+use edges::{Edge, Edges};
+
+/// The most visits of a triangle by a slab: some seconds of them.
+const MOST: u64 = 1 << 28;
+
+/// A triangle as the slabs have it.
+struct Face {
+    id: u32,
+    /// Its edges, by number.
+    edges: [u32; 3],
+    /// Lowest and highest place.
+    reach: [f64; 2],
+    /// Its inverse depth as a linear function of the place.
+    near: [f64; 3],
+}
+
+/// Where a face begins or ends on a level.
+#[derive(Clone, Copy)]
+struct Boundary {
+    u: f64,
+    edge: u32,
+    /// The face, or none for an edge in which faces pierce each other.
+    face: usize,
+    is_start: bool,
+}
+
+/// Returns the visible areas, and the ids sampled from them.
+///
+/// # Errors
+/// [`LeftOut`] if there are too many slabs, or too many crossings.
+pub fn swept(view: &View) -> Result<Outcome, LeftOut> {
+    let edges = Edges::new(view)?;
+    let mut faces: Vec<_> = view.each().filter_map(|(id, triangle)| {
+        let of = edges.of.get(id as usize - 1).copied()?;
+        let heights = triangle.vertices.map(|[_, y, z]| y as f64 / z as f64);
+        let [a, b, c] = heights;
+        let near = triangle.normal.map(|c| c as f64 / triangle.distance as f64);
+        Some(Face { id, edges: of, reach: [a.min(b).min(c), a.max(b).max(c)], near })
+    }).collect();
+    faces.sort_by(|a, b| a.reach[0].total_cmp(&b.reach[0]));
+    let heights = edges.heights();
+    let place = |height: f64| heights.partition_point(|own| *own < height) as u64;
+    let visits = faces.iter().map(|face| place(face.reach[1]) - place(face.reach[0])).sum();
+    LeftOut::check("visits of triangles by slabs", visits, MOST)?;
+
+    let corner = view.raster.corner().map(|c| c as f64);
+    let (right, top) = (corner[0] / corner[2], corner[1] / corner[2]);
+    let mut sweep = Sweep::new(view, &edges, &faces);
+    let (mut active, mut next): (Vec<usize>, _) = (Vec::new(), 0);
+    let (mut piercing, mut next_piercing): (Vec<u32>, _) = (Vec::new(), 0);
+    let mut most = 0;
+    for (&low, &high) in heights.iter().zip(heights.iter().skip(1)) {
+        let (low, high) = (low.max(-top), high.min(top));
+        let middle = f64::midpoint(low, high);
+        if !(low < middle && middle < high) {
+            continue;
+        }
+        while faces.get(next).is_some_and(|face| face.reach[0] < middle) {
+            active.push(next);
+            next += 1;
+        }
+        active.retain(|face| faces.get(*face).is_some_and(|face| face.reach[1] > middle));
+        while edges.piercing.get(next_piercing).is_some_and(|edge| edges.at(*edge).low[1] < middle) {
+            piercing.extend(edges.piercing.get(next_piercing));
+            next_piercing += 1;
+        }
+        piercing.retain(|edge| edges.at(*edge).high[1] > middle);
+        most = most.max(2 * active.len() + piercing.len());
+        sweep.slab([low, high], right, &active, &piercing);
+    }
+    let Sweep { ids, areas, sorting, slabs, visited, compares, .. } = sweep;
+    let counts = Counts::new()
+        .step("pairs", edges.pairs)
+        .step("sorting", sorting)
+        .step("visits", visited)
+        .step("compares", compares)
+        .note("slabs", slabs)
+        .note("crossings", edges.crossings.len() as u64)
+        .note("piercing", edges.piercing.len() as u64);
+    let mut by_id = vec![0.0; view.triangles.len()];
+    for (face, area) in faces.iter().zip(areas) {
+        if let Some(own) = by_id.get_mut(face.id as usize - 1) {
+            *own = area / (4.0 * right * top);
+        }
+    }
+    let bytes = size_of::<Edge>() * edges.all.len()
+        + size_of::<Face>() * faces.len()
+        + size_of::<f64>() * heights.len()
+        + size_of::<Boundary>() * most;
+    Ok(Outcome { ids, counts, bytes: bytes as u64, areas: Some(by_id) })
+}
+
+struct Sweep<'a> {
+    view: &'a View,
+    edges: &'a Edges,
+    faces: &'a [Face],
+    ids: Vec<u32>,
+    areas: Vec<f64>,
+    boundaries: Vec<Boundary>,
+    open: Vec<usize>,
+    sorting: u64,
+    slabs: u64,
+    visited: u64,
+    compares: u64,
+}
+
+impl<'a> Sweep<'a> {
+    fn new(view: &'a View, edges: &'a Edges, faces: &'a [Face]) -> Self {
+        let (ids, areas, boundaries, open) = (view.blank(), vec![0.0; faces.len()], Vec::new(), Vec::new());
+        Self { view, edges, faces, ids, areas, boundaries, open, sorting: 0, slabs: 0, visited: 0, compares: 0 }
+    }
+
+    /// Adds the areas of a slab, and the ids of its rows.
+    fn slab(&mut self, [low, high]: [f64; 2], right: f64, active: &[usize], piercing: &[u32]) {
+        self.slabs += 1;
+        self.visited += active.len() as u64;
+        let middle = f64::midpoint(low, high);
+        let mut boundaries = core::mem::take(&mut self.boundaries);
+        boundaries.clear();
+        for &face in active {
+            let Some(own) = self.faces.get(face) else { continue };
+            let ends = own.edges.map(|edge| (edge, self.edges.at(edge)));
+            let met = ends.iter().filter(|(_, edge)| edge.low[1] < middle && middle < edge.high[1]);
+            let mut met = met.map(|(number, edge)| (edge.at(middle), *number));
+            if let (Some(a), Some(b)) = (met.next(), met.next()) {
+                let (start, end) = if a.0 <= b.0 { (a, b) } else { (b, a) };
+                boundaries.push(Boundary { u: start.0, edge: start.1, face, is_start: true });
+                boundaries.push(Boundary { u: end.0, edge: end.1, face, is_start: false });
+            }
+        }
+        boundaries.extend(piercing.iter().map(|&edge| Boundary {
+            u: self.edges.at(edge).at(middle),
+            edge,
+            face: usize::MAX,
+            is_start: false,
+        }));
+        self.sorting += sorting(boundaries.len());
+        boundaries.sort_unstable_by(|a, b| a.u.total_cmp(&b.u));
+        let rows = rows(self.view, [low, high]);
+        self.open.clear();
+        for (left, end) in boundaries.iter().zip(boundaries.iter().skip(1)) {
+            if left.is_start {
+                self.open.push(left.face);
+            } else if let Some(place) = self.open.iter().position(|face| *face == left.face) {
+                self.open.swap_remove(place);
+            }
+            // What is outside the picture does not count.
+            let [from, to] = [left.u, end.u].map(|u| u.clamp(-right, right));
+            if from < to && let Some(face) = self.nearest([f64::midpoint(from, to), middle]) {
+                if let Some(area) = self.areas.get_mut(face) {
+                    *area += (to - from) * (high - low);
+                }
+                for y in rows.clone() {
+                    self.sample(face, y, [left.edge, end.edge]);
+                }
+            }
+        }
+        self.boundaries = boundaries;
+    }
+
+    /// Returns the nearest of the faces that are open at a place.
+    fn nearest(&mut self, [u, v]: [f64; 2]) -> Option<usize> {
+        self.compares += (self.open.len() as u64).saturating_sub(1);
+        let faces = self.open.iter().filter_map(|&place| self.faces.get(place).map(|face| (place, face)));
+        let near = faces.map(|(place, Face { near: [a, b, c], id, .. })| (a * u + b * v + c, *id, place));
+        near.max_by(|a, b| a.0.total_cmp(&b.0).then(b.1.cmp(&a.1))).map(|(_, _, place)| place)
+    }
+
+    /// Gives the pixels of a row between two edges to a face.
+    fn sample(&mut self, face: usize, y: u32, between: [u32; 2]) {
+        let [x, height, z] = self.view.raster.ray(0, y).map(|c| c as f64);
+        let step = self.view.raster.step() as f64;
+        let size = self.view.raster.size;
+        let column = |edge: u32| {
+            let u = self.edges.at(edge).at(height / z);
+            ((u * z - x) / step).ceil().clamp(0.0, f64::from(size.width()))
+        };
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "it is within the width")]
+        let [start, end] = between.map(|edge| column(edge) as u32);
+        let id = self.faces.get(face).map_or(0, |face| face.id);
+        pixels(&mut self.ids, size.width(), y, start..end.max(start)).fill(id);
+    }
+}
+
+/// Returns the rows of the picture whose middles are in a slab.
+#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "it is within the height")]
+fn rows(view: &View, slab: [f64; 2]) -> Range<u32> {
+    let size = view.raster.size;
+    let [_, first, z] = view.raster.ray(0, 0).map(|c| c as f64);
+    let [_, last, _] = view.raster.ray(0, size.height() - 1).map(|c| c as f64);
+    let step = (first - last) / f64::from(size.height() - 1).max(1.0);
+    // One row, in a picture of one, is in the slab or not.
+    let step = if step > 0.0 { step } else { z };
+    let row = |height: f64| ((first - height * z) / step).ceil().clamp(0.0, f64::from(size.height())) as u32;
+    let [low, high] = slab;
+    row(high)..row(low).max(row(high))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::swept;
+    use crate::study::visibility::samples::view;
+
+    #[test]
+    fn areas_are_exact() {
+        // The picture is seen from distance 1, from -1 to 1. A half of a square, half of it hidden by a nearer one.
+        let far = [[-500, -500, 1000], [500, -500, 1000], [-500, 500, 1000]];
+        let near = [[-500, 0, 500], [250, 0, 500], [-500, 500, 500]];
+        let areas = swept(&view((7, 9), &[far, near])).expect("few").areas.expect("areas");
+        let whole = |area: f64| area * 4.0;
+        assert!((whole(areas[1]) - 0.75).abs() < 1e-12, "{areas:?}");
+        assert!((whole(areas[0]) - 0.375).abs() < 1e-12, "{areas:?}");
+    }
+
+    #[test]
+    fn a_pierced_pair_shares_its_area() {
+        // Two halves of the picture that lean against each other and meet in the line u = 0.
+        let one = [[-4000, -8000, 2000], [4000, -8000, 4000], [4000, 8000, 4000]];
+        let rest = [[-4000, -8000, 2000], [4000, 8000, 4000], [-4000, 8000, 2000]];
+        let lean = |[x, y, z]: [i64; 3]| [-x, y, z];
+        let all = [one, rest, one.map(lean), rest.map(lean)];
+        let areas = swept(&view((8, 8), &all)).expect("few").areas.expect("areas");
+        let sides = [areas[0] + areas[1], areas[2] + areas[3]];
+        assert!(sides.iter().all(|side| (side - 0.5).abs() < 1e-12), "{areas:?}");
+    }
+}
