@@ -87,9 +87,15 @@ struct Node {
 
 /// What is in the box of a node.
 enum Content {
-    Children { near: u32, far: u32 },
+    Children {
+        near: u32,
+        far: u32,
+    },
     /// A range of the hierarchy's ids.
-    Leaf { first: u32, end: u32 },
+    Leaf {
+        first: u32,
+        end: u32,
+    },
 }
 
 /// A binary tree of boxes.
@@ -126,7 +132,15 @@ fn build(view: &View, ids: &mut [u32], first: usize, nodes: &mut Vec<Node>, sort
     let mut content = Content::Leaf { first: number(first), end };
     if ids.len() > LEAF {
         let [x, y, z] = [most[0] - least[0], most[1] - least[1], most[2] - least[2]];
-        let along = move |[a, b, c]: Vector| if x >= y && x >= z { a } else if y >= z { b } else { c };
+        let along = move |[a, b, c]: Vector| {
+            if x >= y && x >= z {
+                a
+            } else if y >= z {
+                b
+            } else {
+                c
+            }
+        };
         let middle = |id: &u32| {
             view.triangle(*id).map_or(0, |triangle| triangle.vertices.into_iter().map(along).sum::<i64>())
         };
@@ -157,11 +171,15 @@ impl Node {
                 _ => ((-most, -r), (-least, -r)),
             };
         }
-        let is_open = slabs.iter().all(|(enter, _)| slabs.iter().all(|(_, leave)| enter.0 * leave.1 <= leave.0 * enter.1));
+        let is_open = slabs
+            .iter()
+            .all(|(enter, _)| slabs.iter().all(|(_, leave)| enter.0 * leave.1 <= leave.0 * enter.1));
         is_open
             && nearest.is_none_or(|nearest| {
                 let across = dot(nearest.normal, ray);
-                let is_behind = |(n, d): (i64, i64)| i128::from(n) * across > i128::from(d) * i128::from(nearest.distance);
+                let is_behind = |(n, d): (i64, i64)| {
+                    i128::from(n) * across > i128::from(d) * i128::from(nearest.distance)
+                };
                 !slabs.iter().any(|(enter, _)| is_behind(*enter))
             })
     }

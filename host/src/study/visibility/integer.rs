@@ -172,12 +172,13 @@ pub struct Triangle {
 }
 
 impl Triangle {
-    /// Returns the triangle and whether its vertices run clockwise as the eye sees them; nothing for one that is degenerate or is seen on edge. All
-    /// vertices are before the eye.
+    /// Returns the triangle, and whether its vertices ran counterclockwise as the eye sees them; nothing for one that has no area, is seen on edge, or
+    /// has a vertex that is not before the eye or not below 2^16.
     #[must_use]
     pub fn new(vertices: [Vector; 3], raster: &Raster) -> Option<(Self, bool)> {
         let [a, b, c] = vertices;
-        let is_sound = vertices.iter().all(|[x, y, z]| x.abs().max(y.abs()) <= LARGEST && (1..=LARGEST).contains(z));
+        let is_sound =
+            vertices.iter().all(|[x, y, z]| x.abs().max(y.abs()) <= LARGEST && (1..=LARGEST).contains(z));
         let volume = i64::try_from(dot(a, cross(b, c))).unwrap_or(0);
         if volume == 0 || !is_sound {
             return None;

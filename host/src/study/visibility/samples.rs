@@ -9,7 +9,8 @@ use crate::picture::raster::Size;
 pub(crate) fn view((width, height): (u32, u32), triangles: &[[Vector; 3]]) -> View {
     let size = Size::new(width, height).expect("a size");
     let raster = Raster::new(size, (1, 1), 0.5).expect("a raster");
-    let triangles = triangles.iter().filter_map(|vertices| Some(Triangle::new(*vertices, &raster)?.0)).collect();
+    let triangles =
+        triangles.iter().filter_map(|vertices| Some(Triangle::new(*vertices, &raster)?.0)).collect();
     View { raster, triangles }
 }
 
@@ -29,7 +30,10 @@ pub(crate) fn random(seed: u64, count: usize, side: i64) -> Vec<[Vector; 3]> {
 
 /// Returns `layers` triangles that cover the whole picture, one behind the other, from the nearest.
 pub(crate) fn layers(layers: i64) -> Vec<[Vector; 3]> {
-    (0..layers).map(|layer| 1000 + 20 * layer).map(|z| [[-3 * z, -z, z], [3 * z, -z, z], [0, 3 * z, z]]).collect()
+    (0..layers)
+        .map(|layer| 1000 + 20 * layer)
+        .map(|z| [[-3 * z, -z, z], [3 * z, -z, z], [0, 3 * z, z]])
+        .collect()
 }
 
 /// Three bars of which each is before the next and behind the one before it.
@@ -37,7 +41,7 @@ pub(crate) fn ring() -> Vec<[Vector; 3]> {
     let bar = |turn: usize| {
         // A third of a turn each: (x, y) to (-(x + 87 y / 50) / 2, ...) in whole numbers.
         let (cos, sin) = [(1000, 0), (-500, 866), (-500, -866)][turn];
-        [(-500, -420, 1400), (700, -420, 700), (700, -120, 700)].map(|(x, y, z)| {
+        [(-900, -495, 1400), (700, -420, 700), (700, -120, 700)].map(|(x, y, z)| {
             let (x, y) = ((cos * x - sin * y) / 1000, (sin * x + cos * y) / 1000);
             // Perspective takes none of it away.
             [x * z / 1000, y * z / 1000, z]

@@ -4,7 +4,7 @@
 
 use core::ops::Range;
 
-use super::integer::{Raster, Triangle, View, dot, number};
+use super::integer::{Raster, Triangle, View, dot};
 use super::outcome::{Counts, LeftOut, Outcome, sorting};
 
 /// The columns of a row that a triangle covers.
@@ -21,7 +21,8 @@ struct Interval {
 pub fn scanned(view: &View) -> Result<Outcome, LeftOut> {
     let size = view.raster.size;
     let mut rows = Rows::default();
-    let mut waiting: Vec<_> = view.each().filter(|(_, triangle)| !triangle.rows.is_empty()).map(|(id, _)| id).collect();
+    let mut waiting: Vec<_> =
+        view.each().filter(|(_, triangle)| !triangle.rows.is_empty()).map(|(id, _)| id).collect();
     let first = |id: &u32| view.triangle(*id).map_or(0, |triangle| triangle.rows.start);
     rows.sorting += sorting(waiting.len());
     waiting.sort_by_key(first);
@@ -73,7 +74,8 @@ struct Rows {
 impl Rows {
     /// Draws a row of intervals that are sorted by their first columns.
     fn row(&mut self, view: &View, y: u32, intervals: &[Interval], row: &mut [u32]) {
-        let mut ends: Vec<_> = intervals.iter().flat_map(|own| [own.columns.start, own.columns.end]).collect();
+        let mut ends: Vec<_> =
+            intervals.iter().flat_map(|own| [own.columns.start, own.columns.end]).collect();
         ends.sort_unstable();
         ends.dedup();
         let mut waiting = intervals.iter().peekable();
@@ -101,7 +103,10 @@ impl Rows {
                 }
                 self.compares += open.len() as u64 - 1;
                 let ray = view.raster.ray(x, y);
-                open.iter().fold(0, |nearest, own| if view.is_before(own.id, nearest, ray) { own.id } else { nearest })
+                open.iter().fold(
+                    0,
+                    |nearest, own| if view.is_before(own.id, nearest, ray) { own.id } else { nearest },
+                )
             });
             if left == right {
                 // Inverse depths are linear, so what is nearest at both ends is so between them.

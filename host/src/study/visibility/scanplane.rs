@@ -45,13 +45,16 @@ struct Boundary {
 /// [`LeftOut`] if there are too many slabs, or too many crossings.
 pub fn swept(view: &View) -> Result<Outcome, LeftOut> {
     let edges = Edges::new(view)?;
-    let mut faces: Vec<_> = view.each().filter_map(|(id, triangle)| {
-        let of = edges.of.get(id as usize - 1).copied()?;
-        let heights = triangle.vertices.map(|[_, y, z]| y as f64 / z as f64);
-        let [a, b, c] = heights;
-        let near = triangle.normal.map(|c| c as f64 / triangle.distance as f64);
-        Some(Face { id, edges: of, reach: [a.min(b).min(c), a.max(b).max(c)], near })
-    }).collect();
+    let mut faces: Vec<_> = view
+        .each()
+        .filter_map(|(id, triangle)| {
+            let of = edges.of.get(id as usize - 1).copied()?;
+            let heights = triangle.vertices.map(|[_, y, z]| y as f64 / z as f64);
+            let [a, b, c] = heights;
+            let near = triangle.normal.map(|c| c as f64 / triangle.distance as f64);
+            Some(Face { id, edges: of, reach: [a.min(b).min(c), a.max(b).max(c)], near })
+        })
+        .collect();
     faces.sort_by(|a, b| a.reach[0].total_cmp(&b.reach[0]));
     let heights = edges.heights();
     let place = |height: f64| heights.partition_point(|own| *own < height) as u64;
@@ -122,7 +125,19 @@ struct Sweep<'a> {
 impl<'a> Sweep<'a> {
     fn new(view: &'a View, edges: &'a Edges, faces: &'a [Face]) -> Self {
         let (ids, areas, boundaries, open) = (view.blank(), vec![0.0; faces.len()], Vec::new(), Vec::new());
-        Self { view, edges, faces, ids, areas, boundaries, open, sorting: 0, slabs: 0, visited: 0, compares: 0 }
+        Self {
+            view,
+            edges,
+            faces,
+            ids,
+            areas,
+            boundaries,
+            open,
+            sorting: 0,
+            slabs: 0,
+            visited: 0,
+            compares: 0,
+        }
     }
 
     /// Adds the areas of a slab, and the ids of its rows.
@@ -161,7 +176,9 @@ impl<'a> Sweep<'a> {
             }
             // What is outside the picture does not count.
             let [from, to] = [left.u, end.u].map(|u| u.clamp(-right, right));
-            if from < to && let Some(face) = self.nearest([f64::midpoint(from, to), middle]) {
+            if from < to
+                && let Some(face) = self.nearest([f64::midpoint(from, to), middle])
+            {
                 if let Some(area) = self.areas.get_mut(face) {
                     *area += (to - from) * (high - low);
                 }

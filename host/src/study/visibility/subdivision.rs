@@ -26,7 +26,8 @@ enum Place {
 /// None.
 pub fn subdivided(view: &View) -> Result<Outcome, LeftOut> {
     let size = view.raster.size;
-    let mut work = Subdivision { view, ids: view.blank(), windows: 0, tests: 0, compares: 0, writes: 0, levels: 0 };
+    let mut work =
+        Subdivision { view, ids: view.blank(), windows: 0, tests: 0, compares: 0, writes: 0, levels: 0 };
     let mut within: Vec<_> = view.each().map(|(id, _)| id).collect();
     work.window(&mut within, [0..size.width(), 0..size.height()], 1);
     let Subdivision { ids, windows, tests, compares, writes, levels, .. } = work;

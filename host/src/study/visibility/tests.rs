@@ -28,7 +28,8 @@ fn agreed(view: &View) -> Vec<u32> {
     for (place, (own, truth)) in (0..).zip(ids.iter().zip(&truth)).filter(|(_, (own, truth))| own != truth) {
         let ray = view.raster.ray(place % width, place / width);
         let [own, truth] = [*own, *truth].map(|id| view.triangle(id));
-        let far = [(own, truth), (truth, own)].map(|(one, other)| one.map_or(1.0, |one| distance(one, other, ray)));
+        let far =
+            [(own, truth), (truth, own)].map(|(one, other)| one.map_or(1.0, |one| distance(one, other, ray)));
         assert!(far[0].min(far[1]) < 1e-9, "{place}: {own:?} {truth:?} {far:?}");
     }
     // Pixels are samples of areas.
@@ -58,7 +59,10 @@ fn triangles_without_an_order_are_cut() {
             [near, far].iter().all(|id| view.triangle(*id).is_some_and(|own| own.cover(ray) == Cover::Inside))
         };
         let common: Vec<_> = (0..64 * 64).filter(both).collect();
-        assert!(!common.is_empty() && common.iter().all(|place| ids[*place as usize] == near), "{near} {far}");
+        assert!(
+            !common.is_empty() && common.iter().all(|place| ids[*place as usize] == near),
+            "{near} {far}"
+        );
     }
     let counts = painter::painted(&view).expect("few").counts;
     assert!(counts.of("splits") >= Some(1) && counts.of("compares") == Some(0), "{counts}");
@@ -66,7 +70,13 @@ fn triangles_without_an_order_are_cut() {
 
 #[test]
 fn a_pair_that_pierces_agrees() {
-    let view = view((50, 40), &[[[-900, -900, 800], [900, -800, 1600], [0, 900, 1200]], [[-900, 700, 1500], [800, 900, 700], [100, -900, 1150]]]);
+    let view = view(
+        (50, 40),
+        &[
+            [[-900, -900, 800], [900, -800, 1600], [0, 900, 1200]],
+            [[-900, 700, 1500], [800, 900, 700], [100, -900, 1150]],
+        ],
+    );
     let ids = agreed(&view);
     assert!([1, 2].iter().all(|id| ids.iter().filter(|own| *own == id).count() > 100));
     assert_eq!(painter::painted(&view).expect("few").counts.of("splits"), Some(1));
@@ -88,21 +98,30 @@ fn shared_edges_are_covered_once() {
 fn the_buffer_is_written_as_often_as_records_are_set() {
     // The nearest so far is a record: of n in random order there are H(n), with the variance H(n) minus the sum of 1/k^2.
     let mut rng = Rng::with_seed(1);
-    for (n, mean, seeds) in [(4, 2.083_333_333, 4000), (10, 2.928_968_254, 4000), (22, 3.690_813_250, 4000), (1000, 7.485_470_861, 300)] {
+    for (n, mean, seeds) in [
+        (4, 2.083_333_333, 4000),
+        (10, 2.928_968_254, 4000),
+        (22, 3.690_813_250, 4000),
+        (1000, 7.485_470_861, 300),
+    ] {
         let view = view((1, 1), &layers(n));
         assert_eq!(view.triangles.len(), n as usize);
         let mut order: Vec<_> = (1..=n as usize).collect();
-        let writes: Vec<_> = (0..seeds).map(|_| {
-            rng.shuffle(&mut order);
-            zbuffer::buffered(&view, order.iter().copied(), 1).counts.of("writes").expect("a count") as f64
-        }).collect();
+        let writes: Vec<_> = (0..seeds)
+            .map(|_| {
+                rng.shuffle(&mut order);
+                zbuffer::buffered(&view, order.iter().copied(), 1).counts.of("writes").expect("a count")
+                    as f64
+            })
+            .collect();
         let got = writes.iter().sum::<f64>() / f64::from(seeds);
         let variance: f64 = (1..=n).map(|k| 1.0 / k as f64 - 1.0 / (k * k) as f64).sum();
         // Five standard errors.
         assert!((got - mean).abs() < 5.0 * (variance / f64::from(seeds)).sqrt(), "{n}: {got}");
         if n == 22 {
             assert!((variance.sqrt() - 1.445_792_626).abs() < 1e-9);
-            let spread = (writes.iter().map(|own| (own - got).powi(2)).sum::<f64>() / f64::from(seeds - 1)).sqrt();
+            let spread =
+                (writes.iter().map(|own| (own - got).powi(2)).sum::<f64>() / f64::from(seeds - 1)).sqrt();
             assert!((spread - 1.445_792_626).abs() < 0.08, "{spread}");
         }
     }
@@ -131,7 +150,10 @@ fn bands_of_a_row_compare_as_often_as_one_buffer() {
         // A scan-line covers the same pixels, and compares less, since a span is one.
         let scanned = scanline::scanned(&view).expect("few").counts;
         assert_eq!(scanned.of("covered"), whole.counts.of("compares"));
-        assert_eq!(casting::exhaustive(&view).expect("few").counts.of("compares"), whole.counts.of("compares"));
+        assert_eq!(
+            casting::exhaustive(&view).expect("few").counts.of("compares"),
+            whole.counts.of("compares")
+        );
     }
 }
 
@@ -142,7 +164,9 @@ fn of_equal_depths_the_lower_number_is_seen() {
     let [a, b, c, d] = corners;
     let small = [[0, 0, 1000], [700, 0, 1000], [0, 700, 1000]];
     let twice = small.map(|vertex| vertex.map(|c| 2 * c));
-    for all in [[[a, b, c], [a, c, d], [a, b, d], [b, c, d], small], [small, [b, c, d], [a, b, d], twice, [a, b, c]]] {
+    for all in
+        [[[a, b, c], [a, c, d], [a, b, d], [b, c, d], small], [small, [b, c, d], [a, b, d], twice, [a, b, c]]]
+    {
         let view = view((9, 9), &all);
         let ids = agreed(&view);
         let lowest = |place: usize| {
@@ -175,6 +199,11 @@ fn nothing_and_little_are_drawn() {
         agreed(&view(size, &random(5, 40, 40_000)));
     }
     // Degenerate, on edge, and behind the eye.
-    let none = [[[0, 0, 5]; 3], [[0, 0, 5], [1, 1, 6], [2, 2, 7]], [[0, 0, 5], [0, 5, 5], [0, 5, 9]], [[0, 0, -5], [5, 0, -5], [0, 5, -5]]];
+    let none = [
+        [[0, 0, 5]; 3],
+        [[0, 0, 5], [1, 1, 6], [2, 2, 7]],
+        [[0, 0, 5], [0, 5, 5], [0, 5, 9]],
+        [[0, 0, -5], [5, 0, -5], [0, 5, -5]],
+    ];
     assert!(view((4, 4), &none).triangles.is_empty());
 }

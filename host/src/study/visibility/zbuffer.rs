@@ -60,5 +60,10 @@ pub fn buffered(view: &View, order: impl Iterator<Item = usize> + Clone, rows: u
         .step("tests", tests)
         .step("compares", compares)
         .step("writes", writes);
-    Outcome { ids, counts, bytes: 4 * u64::from(size.width()) * u64::from(rows.min(size.height())), areas: None }
+    Outcome {
+        ids,
+        counts,
+        bytes: 4 * u64::from(size.width()) * u64::from(rows.min(size.height())),
+        areas: None,
+    }
 }

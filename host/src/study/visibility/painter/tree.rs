@@ -11,6 +11,9 @@ const NONE: u32 = u32::MAX;
 /// The most fragments: 96 MB of them.
 const MOST: u64 = 1 << 22;
 
+/// The most tests of a fragment against a plane: some 20 seconds of them.
+const MOST_TESTS: u64 = 1 << 30;
+
 /// The triangles whose planes are tried, of which the one that cuts least is taken.
 const TRIED: usize = 5;
 
@@ -77,7 +80,12 @@ enum Place {
 impl Tree {
     pub(super) fn new(view: &View) -> Result<Self, LeftOut> {
         let mut tree = Self { nodes: Vec::new(), cuts: Vec::new(), root: NONE, planes: 0, splits: 0 };
-        let all = view.each().map(|(id, triangle)| Fragment { id, triangle, cuts: NONE, outline: outline(triangle) });
+        let all = view.each().map(|(id, triangle)| Fragment {
+            id,
+            triangle,
+            cuts: NONE,
+            outline: outline(triangle),
+        });
         let mut work: Vec<(Vec<Fragment>, Option<(u32, bool)>)> = vec![(all.collect(), None)];
         while let Some((fragments, parent)) = work.pop() {
             let Some(root) = tree.best(&fragments) else { continue };
@@ -105,6 +113,7 @@ impl Tree {
             let count = tree.nodes.len() + far.len() + near.len();
             let waiting: usize = work.iter().map(|(fragments, _)| fragments.len()).sum();
             LeftOut::check("fragments", (count + waiting) as u64, MOST)?;
+            LeftOut::check("tests of a fragment against a plane", tree.planes, MOST_TESTS)?;
             work.extend([(far, Some((place, true))), (near, Some((place, false)))]);
         }
         Ok(tree)

@@ -95,7 +95,11 @@ impl Edges {
 
     /// Returns the edge of a number.
     pub(super) fn at(&self, number: u32) -> Edge {
-        self.all.get(number as usize).copied().unwrap_or(Edge { low: [0.0; 2], high: [0.0; 2], ends: [NONE; 2] })
+        self.all.get(number as usize).copied().unwrap_or(Edge {
+            low: [0.0; 2],
+            high: [0.0; 2],
+            ends: [NONE; 2],
+        })
     }
 
     /// Returns the heights at which slabs begin and end, from the lowest.
@@ -109,11 +113,15 @@ impl Edges {
 
     /// Adds the lines in which triangles pierce each other.
     fn pierce(&mut self, view: &View) -> Result<(), LeftOut> {
-        let boxes: Vec<_> = view.triangles.iter().map(|triangle| {
-            let places = triangle.vertices.map(seen);
-            let bounds = |c: [f64; 3]| [c[0].min(c[1]).min(c[2]), c[0].max(c[1]).max(c[2])];
-            [bounds(places.map(|place| place[1])), bounds(places.map(|place| place[0]))]
-        }).collect();
+        let boxes: Vec<_> = view
+            .triangles
+            .iter()
+            .map(|triangle| {
+                let places = triangle.vertices.map(seen);
+                let bounds = |c: [f64; 3]| [c[0].min(c[1]).min(c[2]), c[0].max(c[1]).max(c[2])];
+                [bounds(places.map(|place| place[1])), bounds(places.map(|place| place[0]))]
+            })
+            .collect();
         let mut found = Vec::new();
         self.pairs += overlapping(&boxes, |a, b| {
             if let (Some(a), Some(b)) = (view.triangles.get(a), view.triangles.get(b)) {
@@ -215,11 +223,19 @@ fn common(a: &Triangle, b: &Triangle) -> Option<Edge> {
     (from < to && from.is_finite() && to.is_finite()).then(|| Edge::new([place(from), place(to)], [NONE; 2]))
 }
 
-/// Returns how far a place of the image plane is from the nearest edge of a triangle, or from the line in which its plane meets that of another.
-pub(in crate::study::visibility) fn distance(triangle: &Triangle, others: Option<&Triangle>, ray: Vector) -> f64 {
+/// Returns how far a place of the image plane at distance 1 is from the nearest edge of a triangle, or from the line in which its plane meets that of
+/// another, which is 0 where they are one plane.
+pub(in crate::study::visibility) fn distance(
+    triangle: &Triangle,
+    others: Option<&Triangle>,
+    ray: Vector,
+) -> f64 {
     let [u, v] = seen(ray);
     let far = |[a, b, c]: [f64; 3]| (a * u + b * v + c).abs() / a.hypot(b);
     let sides = triangle.sides.iter().map(|side| far(side.normal.map(|c| c as f64)));
-    let line = others.map(|other| far(triangle.meeting(other).map(|c| c as f64)));
+    let line = others.map(|other| match triangle.meeting(other) {
+        [0, 0, 0] => 0.0,
+        line => far(line.map(|c| c as f64)),
+    });
     sides.chain(line).fold(f64::INFINITY, f64::min)
 }
