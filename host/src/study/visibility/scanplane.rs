@@ -8,7 +8,7 @@
 use core::ops::Range;
 
 use super::integer::{View, pixels};
-use super::outcome::{Counts, LeftOut, Outcome, sorting};
+use super::outcome::{Counts, LeftOut, Outcome};
 
 mod edges;
 
@@ -102,7 +102,7 @@ pub fn swept(view: &View) -> Result<Outcome, LeftOut> {
         }
     }
     let bytes = size_of::<Edge>() * edges.all.len()
-        + size_of::<Face>() * faces.len()
+        + (size_of::<Face>() + size_of::<Option<[(f64, u32); 2]>>()) * faces.len()
         + size_of::<f64>() * heights.len()
         + size_of::<Boundary>() * most;
     Ok(Outcome { ids, counts, bytes: bytes as u64, areas: Some(by_id) })
@@ -114,6 +114,8 @@ struct Sweep<'a> {
     faces: &'a [Face],
     ids: Vec<u32>,
     areas: Vec<f64>,
+    /// Of each face, place and edge of its two boundaries in the last slab that it was in.
+    ends: Vec<Option<[(f64, u32); 2]>>,
     boundaries: Vec<Boundary>,
     open: Vec<usize>,
     sorting: u64,
@@ -124,15 +126,15 @@ struct Sweep<'a> {
 
 impl<'a> Sweep<'a> {
     fn new(view: &'a View, edges: &'a Edges, faces: &'a [Face]) -> Self {
-        let (ids, areas, boundaries, open) = (view.blank(), vec![0.0; faces.len()], Vec::new(), Vec::new());
         Self {
             view,
             edges,
             faces,
-            ids,
-            areas,
-            boundaries,
-            open,
+            ids: view.blank(),
+            areas: vec![0.0; faces.len()],
+            ends: vec![None; faces.len()],
+            boundaries: Vec::new(),
+            open: Vec::new(),
             sorting: 0,
             slabs: 0,
             visited: 0,
@@ -146,26 +148,8 @@ impl<'a> Sweep<'a> {
         self.visited += active.len() as u64;
         let middle = f64::midpoint(low, high);
         let mut boundaries = core::mem::take(&mut self.boundaries);
-        boundaries.clear();
-        for &face in active {
-            let Some(own) = self.faces.get(face) else { continue };
-            let ends = own.edges.map(|edge| (edge, self.edges.at(edge)));
-            let met = ends.iter().filter(|(_, edge)| edge.low[1] < middle && middle < edge.high[1]);
-            let mut met = met.map(|(number, edge)| (edge.at(middle), *number));
-            if let (Some(a), Some(b)) = (met.next(), met.next()) {
-                let (start, end) = if a.0 <= b.0 { (a, b) } else { (b, a) };
-                boundaries.push(Boundary { u: start.0, edge: start.1, face, is_start: true });
-                boundaries.push(Boundary { u: end.0, edge: end.1, face, is_start: false });
-            }
-        }
-        boundaries.extend(piercing.iter().map(|&edge| Boundary {
-            u: self.edges.at(edge).at(middle),
-            edge,
-            face: usize::MAX,
-            is_start: false,
-        }));
-        self.sorting += sorting(boundaries.len());
-        boundaries.sort_unstable_by(|a, b| a.u.total_cmp(&b.u));
+        self.bring(&mut boundaries, middle, active, piercing);
+        self.sorting += sort(&mut boundaries);
         let rows = rows(self.view, [low, high]);
         self.open.clear();
         for (left, end) in boundaries.iter().zip(boundaries.iter().skip(1)) {
@@ -190,6 +174,38 @@ impl<'a> Sweep<'a> {
         self.boundaries = boundaries;
     }
 
+    /// Brings the boundaries of the slab before to the middle of the next: those that end are taken out, new ones are added at the end, and the
+    /// others keep their order, which is nearly that of their new places.
+    fn bring(&mut self, boundaries: &mut Vec<Boundary>, middle: f64, active: &[usize], piercing: &[u32]) {
+        for &face in active {
+            let (Some(own), Some(ends)) = (self.faces.get(face), self.ends.get_mut(face)) else { continue };
+            let met = own.edges.map(|edge| (edge, self.edges.at(edge)));
+            let met = met.iter().filter(|(_, edge)| edge.low[1] < middle && middle < edge.high[1]);
+            let mut met = met.map(|(number, edge)| (edge.at(middle), *number));
+            let is_new = ends.is_none();
+            *ends = match (met.next(), met.next()) {
+                (Some(a), Some(b)) if a.0 <= b.0 => Some([a, b]),
+                (Some(a), Some(b)) => Some([b, a]),
+                _ => None,
+            };
+            if is_new && ends.is_some() {
+                let boundary = Boundary { u: 0.0, edge: 0, face, is_start: true };
+                boundaries.extend([boundary, Boundary { is_start: false, ..boundary }]);
+            }
+        }
+        boundaries.retain_mut(|own| {
+            let reach = self.faces.get(own.face).map(|face| face.reach[1]);
+            let ends = self.ends.get(own.face).copied().flatten().filter(|_| reach > Some(middle));
+            let end = ends.map(|[start, end]| if own.is_start { start } else { end });
+            (own.u, own.edge) = end.unwrap_or_default();
+            end.is_some()
+        });
+        boundaries.extend(piercing.iter().map(|&edge| {
+            let u = self.edges.at(edge).at(middle);
+            Boundary { u, edge, face: usize::MAX, is_start: false }
+        }));
+    }
+
     /// Returns the nearest of the faces that are open at a place.
     fn nearest(&mut self, [u, v]: [f64; 2]) -> Option<usize> {
         self.compares += (self.open.len() as u64).saturating_sub(1);
@@ -212,6 +228,22 @@ impl<'a> Sweep<'a> {
         let id = self.faces.get(face).map_or(0, |face| face.id);
         pixels(&mut self.ids, size.width(), y, start..end.max(start)).fill(id);
     }
+}
+
+/// Sorts boundaries that are nearly sorted by insertion, and returns the number of comparisons.
+fn sort(boundaries: &mut [Boundary]) -> u64 {
+    let mut compares = 0;
+    for end in 1..boundaries.len() {
+        for place in (1..=end).rev() {
+            compares += 1;
+            let pair = [place - 1, place].map(|place| boundaries.get(place).map(|boundary| boundary.u));
+            if pair[0] <= pair[1] {
+                break;
+            }
+            boundaries.swap(place - 1, place);
+        }
+    }
+    compares
 }
 
 /// Returns the rows of the picture whose middles are in a slab.

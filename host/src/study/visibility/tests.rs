@@ -3,11 +3,17 @@
 
 use fastrand::Rng;
 
+use rta_scenes::shipped;
+
+use super::comparison::Comparison;
+use super::eye::Seen;
+use super::faces::Faces;
 use super::integer::{Cover, View};
 use super::outcome::Outcome;
 use super::samples::{layers, random, ring, sheet, view};
 use super::scanplane::distance;
 use super::{casting, painter, scanline, scanplane, subdivision, zbuffer};
+use crate::picture::raster::Size;
 
 /// Returns the picture that all algorithms agree on, byte for byte, but for the continuous one, whose samples may differ within 1e-9 of an edge.
 fn agreed(view: &View) -> Vec<u32> {
@@ -37,6 +43,23 @@ fn agreed(view: &View) -> Vec<u32> {
     let area = areas.expect("areas").iter().sum::<f64>();
     assert!((area - seen).abs() < 2.0 / f64::from(width), "{area} {seen}");
     truth
+}
+
+#[test]
+fn the_scenes_of_the_program_agree() {
+    for (name, text) in shipped::FILES {
+        let scene = rta_scenes::read(text.as_bytes(), name).expect("a scene");
+        let faces = Faces::new(&scene, 3);
+        let raster = (Size::new(40, 30).expect("a size"), 4.0 / 3.0);
+        let seen = Seen::new(&faces.all, &scene.camera, raster, 0.0).expect("it is seen");
+        let comparison = Comparison::new(&seen.view);
+        assert!(
+            comparison.ids.iter().any(|id| *id != 0)
+                && comparison.is_equal()
+                && comparison.runs.iter().all(|(_, run)| run.is_ok()),
+            "{name}"
+        );
+    }
 }
 
 #[test]
