@@ -90,6 +90,9 @@ pub enum StudyError {
         "the rays of a picture of {0} with this shape of screen and focal distance are no integers below 2^31"
     )]
     Raster(Size),
+    /// A picture was to go where the tables go.
+    #[error("the tables go to standard output: -o needs the name of a file")]
+    PictureToStdout,
     /// A scene's faces cannot be brought before the eye.
     #[error("the visible faces: {0}")]
     Visibility(Box<dyn core::error::Error + Send + Sync>),

@@ -61,10 +61,13 @@ const MOST_FACES: usize = 1 << 21;
 /// Runs `rta visibility`: prints the tables, and writes the picture of ids.
 ///
 /// # Errors
-/// Those of reading the scene and of writing, [`StudyError::Raster`], [`StudyError::Visibility`], and [`StudyError::IdsDiffer`] once all is
+/// Those of reading the scene and of writing, [`StudyError::PictureToStdout`], [`StudyError::Raster`], [`StudyError::Visibility`], and [`StudyError::IdsDiffer`] once all is
 /// printed and written.
 pub fn run(args: &VisibilityArgs) -> Result<(), StudyError> {
     let picture = args.output.as_deref().map(|path| PictureOutput::open(path, None)).transpose()?;
+    if picture.as_ref().is_some_and(PictureOutput::is_stdout) {
+        return Err(StudyError::PictureToStdout);
+    }
     if let Some(picture) = picture.as_ref().filter(|picture| picture.file_type().is_linear()) {
         return Err(PictureError::NotLinear(picture.file_type()).into());
     }

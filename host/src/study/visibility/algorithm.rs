@@ -25,12 +25,12 @@ const fn exact(
     Algorithm { name, source, is_exact: true, draw }
 }
 
-/// All algorithms, and two of them in two forms.
+/// All algorithms, and two of them in two forms. The first that is run is what the others are compared with.
 pub const ALL: [Algorithm; 8] = [
-    exact("z-buffer", "Catmull 1974", zbuffer::whole),
-    exact("z-buffer by rows", "one row in memory", zbuffer::banded),
     exact("ray casting", "Appel 1968", casting::exhaustive),
     exact("ray casting by boxes", "a hierarchy of them", casting::by_hierarchy),
+    exact("z-buffer", "Catmull 1974", zbuffer::whole),
+    exact("z-buffer by rows", "one row in memory", zbuffer::banded),
     exact("painter", "Fuchs, Kedem and Naylor 1980", painter::painted),
     exact("scan-line", "Bouknight 1970, Watkins 1970", scanline::scanned),
     exact("area subdivision", "Warnock 1969", subdivision::subdivided),

@@ -1,4 +1,5 @@
 //! Triangles for tests.
+#![allow(clippy::indexing_slicing, reason = "a test may panic")]
 
 use fastrand::Rng;
 

@@ -65,7 +65,7 @@ pub fn swept(view: &View) -> Result<Outcome, LeftOut> {
     let (right, top) = (corner[0] / corner[2], corner[1] / corner[2]);
     let mut sweep = Sweep::new(view, &edges, &faces);
     let (mut active, mut next): (Vec<usize>, _) = (Vec::new(), 0);
-    let (mut piercing, mut next_piercing): (Vec<u32>, _) = (Vec::new(), 0);
+    let mut piercing = edges.piercing.iter().copied().peekable();
     let mut most = 0;
     for (&low, &high) in heights.iter().zip(heights.iter().skip(1)) {
         let (low, high) = (low.max(-top), high.min(top));
@@ -78,13 +78,10 @@ pub fn swept(view: &View) -> Result<Outcome, LeftOut> {
             next += 1;
         }
         active.retain(|face| faces.get(*face).is_some_and(|face| face.reach[1] > middle));
-        while edges.piercing.get(next_piercing).is_some_and(|edge| edges.at(*edge).low[1] < middle) {
-            piercing.extend(edges.piercing.get(next_piercing));
-            next_piercing += 1;
-        }
-        piercing.retain(|edge| edges.at(*edge).high[1] > middle);
-        most = most.max(2 * active.len() + piercing.len());
-        sweep.slab([low, high], right, &active, &piercing);
+        let new: Vec<_> =
+            core::iter::from_fn(|| piercing.next_if(|edge| edges.at(*edge).low[1] < middle)).collect();
+        sweep.slab([low, high], right, &active, &new);
+        most = most.max(sweep.boundaries.len());
     }
     let Sweep { ids, areas, sorting, slabs, visited, compares, .. } = sweep;
     let counts = Counts::new()
@@ -152,17 +149,34 @@ impl<'a> Sweep<'a> {
         self.sorting += sort(&mut boundaries);
         let rows = rows(self.view, [low, high]);
         self.open.clear();
+        let mut seen = None;
         for (left, end) in boundaries.iter().zip(boundaries.iter().skip(1)) {
+            // What is seen stays so until it ends, a nearer one begins, or faces pierce each other.
+            let mut is_known = false;
             if left.is_start {
                 self.open.push(left.face);
+                is_known = seen.is_some();
             } else if let Some(place) = self.open.iter().position(|face| *face == left.face) {
                 self.open.swap_remove(place);
+                is_known = seen.is_some() && seen != Some(left.face);
             }
             // What is outside the picture does not count.
             let [from, to] = [left.u, end.u].map(|u| u.clamp(-right, right));
-            if from < to
-                && let Some(face) = self.nearest([f64::midpoint(from, to), middle])
-            {
+            if from >= to {
+                seen = None;
+                continue;
+            }
+            let place = [f64::midpoint(from, to), middle];
+            seen = match seen.filter(|_| is_known) {
+                None => self.nearest(&self.open, place),
+                Some(face) if left.is_start => self.nearest(&[face, left.face], place),
+                known => known,
+            };
+            self.compares += match (is_known, left.is_start) {
+                (false, _) => (self.open.len() as u64).saturating_sub(1),
+                (true, is_start) => u64::from(is_start),
+            };
+            if let Some(face) = seen {
                 if let Some(area) = self.areas.get_mut(face) {
                     *area += (to - from) * (high - low);
                 }
@@ -176,6 +190,7 @@ impl<'a> Sweep<'a> {
 
     /// Brings the boundaries of the slab before to the middle of the next: those that end are taken out, new ones are added at the end, and the
     /// others keep their order, which is nearly that of their new places.
+    /// Lines in which faces pierce each other are passed as far as they are new.
     fn bring(&mut self, boundaries: &mut Vec<Boundary>, middle: f64, active: &[usize], piercing: &[u32]) {
         for &face in active {
             let (Some(own), Some(ends)) = (self.faces.get(face), self.ends.get_mut(face)) else { continue };
@@ -193,23 +208,28 @@ impl<'a> Sweep<'a> {
                 boundaries.extend([boundary, Boundary { is_start: false, ..boundary }]);
             }
         }
+        boundaries.extend(piercing.iter().map(|&edge| Boundary {
+            u: 0.0,
+            edge,
+            face: usize::MAX,
+            is_start: false,
+        }));
         boundaries.retain_mut(|own| {
-            let reach = self.faces.get(own.face).map(|face| face.reach[1]);
-            let ends = self.ends.get(own.face).copied().flatten().filter(|_| reach > Some(middle));
+            let Some(face) = self.faces.get(own.face) else {
+                let edge = self.edges.at(own.edge);
+                own.u = edge.at(middle);
+                return edge.high[1] > middle;
+            };
+            let ends = self.ends.get(own.face).copied().flatten().filter(|_| face.reach[1] > middle);
             let end = ends.map(|[start, end]| if own.is_start { start } else { end });
             (own.u, own.edge) = end.unwrap_or_default();
             end.is_some()
         });
-        boundaries.extend(piercing.iter().map(|&edge| {
-            let u = self.edges.at(edge).at(middle);
-            Boundary { u, edge, face: usize::MAX, is_start: false }
-        }));
     }
 
-    /// Returns the nearest of the faces that are open at a place.
-    fn nearest(&mut self, [u, v]: [f64; 2]) -> Option<usize> {
-        self.compares += (self.open.len() as u64).saturating_sub(1);
-        let faces = self.open.iter().filter_map(|&place| self.faces.get(place).map(|face| (place, face)));
+    /// Returns the nearest of some faces at a place.
+    fn nearest(&self, faces: &[usize], [u, v]: [f64; 2]) -> Option<usize> {
+        let faces = faces.iter().filter_map(|&place| self.faces.get(place).map(|face| (place, face)));
         let near = faces.map(|(place, Face { near: [a, b, c], id, .. })| (a * u + b * v + c, *id, place));
         near.max_by(|a, b| a.0.total_cmp(&b.0).then(b.1.cmp(&a.1))).map(|(_, _, place)| place)
     }
@@ -262,6 +282,7 @@ fn rows(view: &View, slab: [f64; 2]) -> Range<u32> {
 
 #[cfg(test)]
 mod tests {
+    #![allow(clippy::indexing_slicing, reason = "a test may panic")]
     use super::swept;
     use crate::study::visibility::samples::view;
 

@@ -1,5 +1,5 @@
 //! What holds of all algorithms.
-#![allow(clippy::indexing_slicing, reason = "a test may panic")]
+#![allow(clippy::indexing_slicing, clippy::cast_possible_truncation, reason = "a test may panic")]
 
 use fastrand::Rng;
 

@@ -86,7 +86,7 @@ impl Tree {
             cuts: NONE,
             outline: outline(triangle),
         });
-        let mut work: Vec<(Vec<Fragment>, Option<(u32, bool)>)> = vec![(all.collect(), None)];
+        let mut work = vec![(all.collect::<Vec<_>>(), None::<(u32, bool)>)];
         while let Some((fragments, parent)) = work.pop() {
             let Some(root) = tree.best(&fragments) else { continue };
             let place = number(tree.nodes.len());
