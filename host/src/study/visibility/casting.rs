@@ -4,8 +4,8 @@
 use super::integer::{Cover, Triangle, Vector, View, dot, number};
 use super::outcome::{Counts, LeftOut, Outcome, sorting};
 
-/// The most tests of a ray against a triangle: some 20 seconds of them.
-const MOST_TESTS: u64 = 1 << 31;
+/// The most tests of a ray against a triangle: some seconds of them.
+const MOST_TESTS: u64 = 1 << 29;
 
 /// The most triangles in a leaf of the hierarchy.
 const LEAF: usize = 4;

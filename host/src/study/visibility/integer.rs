@@ -139,7 +139,7 @@ fn convergents(number: f64) -> impl Iterator<Item = (i64, i64)> {
 pub enum Cover {
     /// Outside.
     Outside,
-    /// On an edge that belongs to it: of two triangles at both sides of an edge it is the left or the lower one.
+    /// On an edge that belongs to it: of two triangles at both sides of an edge that is the right one, or the one below a horizontal edge.
     Edge,
     /// Inside.
     Inside,

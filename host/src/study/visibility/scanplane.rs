@@ -16,7 +16,7 @@ pub(super) use edges::distance;
 use edges::{Edge, Edges};
 
 /// The most visits of a triangle by a slab: some seconds of them.
-const MOST: u64 = 1 << 28;
+const MOST: u64 = 1 << 26;
 
 /// A triangle as the slabs have it.
 struct Face {
@@ -149,33 +149,29 @@ impl<'a> Sweep<'a> {
         self.sorting += sort(&mut boundaries);
         let rows = rows(self.view, [low, high]);
         self.open.clear();
-        let mut seen = None;
+        let (mut seen, mut begun) = (None, Vec::new());
         for (left, end) in boundaries.iter().zip(boundaries.iter().skip(1)) {
             // What is seen stays so until it ends, a nearer one begins, or faces pierce each other.
-            let mut is_known = false;
             if left.is_start {
                 self.open.push(left.face);
-                is_known = seen.is_some();
+                begun.push(left.face);
             } else if let Some(place) = self.open.iter().position(|face| *face == left.face) {
                 self.open.swap_remove(place);
-                is_known = seen.is_some() && seen != Some(left.face);
+                begun.retain(|face| *face != left.face);
+                seen = seen.filter(|face| *face != left.face);
+            } else {
+                seen = None;
             }
             // What is outside the picture does not count.
             let [from, to] = [left.u, end.u].map(|u| u.clamp(-right, right));
             if from >= to {
-                seen = None;
                 continue;
             }
-            let place = [f64::midpoint(from, to), middle];
-            seen = match seen.filter(|_| is_known) {
-                None => self.nearest(&self.open, place),
-                Some(face) if left.is_start => self.nearest(&[face, left.face], place),
-                known => known,
-            };
-            self.compares += match (is_known, left.is_start) {
-                (false, _) => (self.open.len() as u64).saturating_sub(1),
-                (true, is_start) => u64::from(is_start),
-            };
+            begun.extend(seen);
+            let candidates = if seen.is_some() { &begun } else { &self.open };
+            self.compares += (candidates.len() as u64).saturating_sub(1);
+            seen = self.nearest(candidates, [f64::midpoint(from, to), middle]);
+            begun.clear();
             if let Some(face) = seen {
                 if let Some(area) = self.areas.get_mut(face) {
                     *area += (to - from) * (high - low);

@@ -153,7 +153,7 @@ mod tests {
             let outcome = subdivided(&view((256, 256), &[half])).expect("few");
             assert_eq!(outcome.counts.of("windows"), Some(1021));
             let seen = outcome.ids.iter().filter(|id| **id == 1).count();
-            // The middles on the diagonal belong to the half below, whose edge there is a left one... or to the other.
+            // The middles on the diagonal belong to the half on its right, whose left side it is.
             let owned = if corner[0] > 0 { 256 } else { 0 };
             assert_eq!(seen, 255 * 128 + owned);
         }

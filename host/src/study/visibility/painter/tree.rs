@@ -11,8 +11,8 @@ const NONE: u32 = u32::MAX;
 /// The most fragments: 96 MB of them.
 const MOST: u64 = 1 << 22;
 
-/// The most tests of a fragment against a plane: some 20 seconds of them.
-const MOST_TESTS: u64 = 1 << 30;
+/// The most tests of a fragment against a plane: some seconds of them.
+const MOST_TESTS: u64 = 1 << 27;
 
 /// The triangles whose planes are tried, of which the one that cuts least is taken.
 const TRIED: usize = 5;
