@@ -13,7 +13,7 @@ const LEAF: usize = 4;
 /// Draws by testing every triangle for every pixel.
 ///
 /// # Errors
-/// [`LeftOut`] for more than [`MOST_TESTS`].
+/// [`LeftOut`] for more than 2^29 tests.
 pub fn exhaustive(view: &View) -> Result<Outcome, LeftOut> {
     let tests = view.raster.size.pixels() as u64 * view.triangles.len() as u64;
     LeftOut::check("tests", tests, MOST_TESTS)?;
