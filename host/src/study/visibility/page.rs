@@ -19,8 +19,9 @@ pub fn head(title: &str, rows: u32, faces: &Faces, seen: &Seen) -> String {
         view.triangles.len(),
     );
     if let Some(reach) = faces.reach {
+        let reach = if reach < 1e6 { format!("{reach:.4}") } else { format!("{reach:.4e}") };
         text += &format!(
-            "planes, the floor and infinite cylinders end {reach:.4} from the place nearest to the eye\n"
+            "planes, the floor and infinite cylinders end {reach} from the place nearest to the eye\n"
         );
     }
     if faces.lamps > 0 {
