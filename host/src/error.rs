@@ -93,7 +93,7 @@ impl Error {
     /// Whether a comparison is completed and found a difference, which it has printed.
     #[must_use]
     pub const fn is_difference(&self) -> bool {
-        matches!(self, Self::Study(StudyError::Off) | Self::PicturesDiffer)
+        matches!(self, Self::Study(StudyError::Off | StudyError::IdsDiffer) | Self::PicturesDiffer)
     }
 
     /// Whether the reader of standard output has closed it, which is no error of the program's.

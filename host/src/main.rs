@@ -10,7 +10,9 @@ use rta::commands::show::window;
 use rta::commands::{bake, check, convert, explain, gallery, hash, merge, pages, radiosity, render};
 use rta::engine::interrupt;
 use rta::error::Error;
-use rta::study::{bench, compare, difference, figures, models, palette, report, stability, values};
+use rta::study::{
+    bench, compare, difference, figures, models, palette, report, stability, values, visibility,
+};
 
 /// Exit status after a comparison that found a difference, which is no error of the program's.
 const DIFFERENT: u8 = 1;
@@ -85,6 +87,7 @@ fn run(command: Option<Command>) -> Result<(), Error> {
         Some(Command::Palette(args)) => palette::run(&args)?,
         Some(Command::Indexing(args)) => palette::instructions::run(&args)?,
         Some(Command::Difference(args)) => difference::run(&args)?,
+        Some(Command::Visibility(args)) => visibility::run(&args)?,
         Some(Command::Completions(args)) => pages::completions(&args)?,
         Some(Command::Man(args)) => pages::man(&args)?,
     }

@@ -1,5 +1,5 @@
-//! Studies of the tracer itself: what its pictures cost, what its number formats and the colours of devices do to them, and how different
-//! two pictures look.
+//! Studies of the tracer itself: what its pictures cost, what its number formats and the colours of devices do to them, how different
+//! two pictures look, and how other algorithms find what is seen.
 
 pub mod bench;
 pub mod compare;
@@ -17,3 +17,4 @@ mod sheet;
 pub mod stability;
 pub mod trail;
 pub mod values;
+pub mod visibility;

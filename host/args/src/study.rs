@@ -1,11 +1,12 @@
-//! Arguments of the studies: `rta bench`, `rta report`, `rta figures`, `rta gallery`, `rta stability`, `rta palette` and `rta difference`, and of
-//! their children under valgrind.
+//! Arguments of the studies: `rta bench`, `rta report`, `rta figures`, `rta gallery`, `rta stability`, `rta palette`, `rta visibility` and
+//! `rta difference`, and of their children under valgrind.
 
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 
 use super::choice;
+use super::scene::ReadingArgs;
 use super::tracing::TracingArgs;
 use crate::value::degrees::PixelsPerDegree;
 use crate::value::device::{Device, Target};
@@ -158,6 +159,28 @@ pub struct PaletteArgs {
     /// How the picture is traced.
     #[command(flatten)]
     pub tracing: TracingArgs,
+}
+
+/// `rta visibility`.
+#[derive(Args, Debug)]
+pub struct VisibilityArgs {
+    /// Scene file (.rta, .dat, .nff or .p3f), or - for standard input
+    pub scene: PathBuf,
+    /// How the scene is read; --tessellate is 8 unless it is given
+    #[command(flatten)]
+    pub reading: ReadingArgs,
+    /// Pixels of the picture [default: those of the scene, else 320x200]
+    #[arg(short, long, value_name = "WxH")]
+    pub size: Option<Size>,
+    /// Shape of the screen that the picture fills [default: that of square pixels, but 320x200 is a 4:3 screen]
+    #[arg(long, value_name = "RATIO")]
+    pub aspect: Option<Aspect>,
+    /// Also tell what the algorithms cost as faces grow, at about these numbers of them: 100,2500,60000 are those of the table of 1974
+    #[arg(long, value_name = "N,N,...", value_delimiter = ',', value_parser = choice::whole(1_usize..=1_000_000))]
+    pub faces: Vec<usize>,
+    /// Picture file of what is seen, each triangle in a colour of its own
+    #[arg(short, long, value_name = "FILE")]
+    pub output: Option<PathBuf>,
 }
 
 /// `rta indexing`: linear light comes from standard input, as the pixels of a PFM from the top.

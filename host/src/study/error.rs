@@ -85,6 +85,20 @@ pub enum StudyError {
     /// A stated value is off.
     #[error("a value is off")]
     Off,
+    /// The rays of a picture have no common denominator below 2^31.
+    #[error(
+        "the rays of a picture of {0} with this shape of screen and focal distance are no integers below 2^31"
+    )]
+    Raster(Size),
+    /// A picture was to go where the tables go.
+    #[error("the tables go to standard output: -o needs the name of a file")]
+    PictureToStdout,
+    /// A scene's faces cannot be brought before the eye.
+    #[error("the visible faces: {0}")]
+    Visibility(Box<dyn core::error::Error + Send + Sync>),
+    /// Algorithms of visibility disagree.
+    #[error("the ids differ")]
+    IdsDiffer,
     /// The report's tables or diagrams cannot be made.
     #[error("the report: {0}")]
     Report(Box<dyn core::error::Error + Send + Sync>),

@@ -29,6 +29,7 @@ mod spreading;
 mod textures;
 mod tolerance;
 mod until;
+mod visibility;
 mod window;
 
 use folder::Folder;
