@@ -122,6 +122,8 @@ needs! {
     CONE_LAMPS cone_lamps,
     /// A lens, where rays are distributed.
     LENS lens,
+    /// An eye that moves while the shutter is open, where rays are distributed.
+    EYE_MOTION eye_motion,
     /// Rough surfaces, where rays are distributed; they need [`Needs::MIRROR`].
     GLOSS gloss,
 }

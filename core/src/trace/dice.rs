@@ -10,6 +10,7 @@ use crate::camera::Aperture;
 use crate::light::area::Square;
 use crate::ray::RayKind;
 use crate::sampling::pairs::{Pairs, Purpose, pair};
+use crate::scalar::vector::Vec3;
 use crate::scalar::{Scalar, Unit};
 
 /// What the rays of a sample are spread by. It is handed on by value, so that [`Still`] dice take no memory.
@@ -98,12 +99,22 @@ pub struct Spread<'a, S: Scalar> {
     /// Which triangles are faces of one body, for [`Lamps::Cone`]: a number for each, equal for those of one body, which follow one another, in
     /// the order of the scene's triangles; those beyond are bodies by themselves.
     pub bodies: &'a [u32],
+    /// How far the eye moves while the shutter is open, for a tracer of what [moves](super::moving::Moving): half of it before it is where the
+    /// camera is, and half of it after that. It keeps its direction.
+    pub eye: Option<Vec3<S>>,
 }
 
 impl<S: Scalar> Spread<'_, S> {
     /// Nothing spreads.
-    pub const NONE: Self =
-        Self { lamps: Lamps::Point, split: 1, squares: &[], aperture: None, roughness: &[], bodies: &[] };
+    pub const NONE: Self = Self {
+        lamps: Lamps::Point,
+        split: 1,
+        squares: &[],
+        aperture: None,
+        roughness: &[],
+        bodies: &[],
+        eye: None,
+    };
 }
 
 /// Which sample of a picture is traced.

@@ -24,6 +24,7 @@ pub(super) fn used<S: Literal>(scene: &Narrowed<S>, spreading: Option<&Spreading
         square_lamps: area_lamps && has_squares,
         cone_lamps: area_lamps && spreading.lamps == Lamps::Cone,
         lens: scene.spreads.aperture.is_some(),
+        eye_motion: scene.spreads.eye.is_some(),
         gloss: used.mirror && !scene.spreads.roughness.is_empty(),
         ..used
     }
@@ -83,14 +84,15 @@ pub(super) fn write<S: Literal>(
 
 /// Writes the fields of what spreads, within an item.
 fn write_spread<S: Literal>(out: &mut impl Write, spread: &Spread<S>) -> fmt::Result {
-    let Spread { lamps, split, squares, aperture, roughness, bodies } = spread;
+    let Spread { lamps, split, squares, aperture, roughness, bodies, eye } = spread;
     let square = |square: &Option<Square<S>>| {
-        let Some(Square { corner, edges, normal, least: (least, inverse) }) = square else {
+        let Some(Square { corner, middle, edges, normal, least: (least, inverse) }) = square else {
             return "None".to_owned();
         };
         format!(
-            "Some(::rta_core::light::area::Square {{ corner: {}, edges: [{}], normal: {}, least: ({}, {}) }})",
+            "Some(::rta_core::light::area::Square {{ corner: {}, middle: {}, edges: [{}], normal: {}, least: ({}, {}) }})",
             place::<S>(*corner),
+            place::<S>(*middle),
             edges.map(place::<S>).join(", "),
             direction::<S>(*normal),
             length(*least),
@@ -109,11 +111,12 @@ fn write_spread<S: Literal>(out: &mut impl Write, spread: &Spread<S>) -> fmt::Re
             )
         },
     );
+    let eye = eye.map_or_else(|| "None".into(), |by| format!("Some({})", place::<S>(by)));
     writeln!(
         out,
         "    ::rta_core::trace::dice::Spread {{\n        lamps: ::rta_core::trace::dice::Lamps::{lamps:?},\n        \
          split: {split},\n        squares: const {{ &[{}] }},\n        aperture: {aperture},\n        \
-         roughness: const {{ &[{}] }},\n        bodies: &{bodies:?},\n    }}",
+         roughness: const {{ &[{}] }},\n        bodies: &{bodies:?},\n        eye: {eye},\n    }}",
         squares.join(", "),
         roughness.join(", ")
     )

@@ -22,6 +22,12 @@ const OF: Part = may("of", &[V("material", Name(A_MATERIAL))], "its material").d
 const ALONG: Part =
     may("along", &[V("path", Name(A_PATH))], "the path that it moves along in a film, from where it stands");
 
+const MOVES: Part = may(
+    "moves",
+    &[V("motion", Vector(Any))],
+    "how far it moves in the time from 0 to 1, in which the shutter is open",
+);
+
 const fn once(
     keyword: &'static str,
     noun: &'static str,
@@ -66,6 +72,7 @@ const ONCE: &[Statement] = &[
                 "when it opens and closes, for what moves",
             )
             .default("0 1"),
+            MOVES,
             may(
                 "hither",
                 &[V("hither", Number(Positive))],

@@ -55,6 +55,7 @@ impl<'a> Reader<'a> {
             aperture: said.number("aperture"),
             shutter: said.part("shutter").map(|shutter| shutter.numbers(0)),
             hither: said.number("hither"),
+            moves: said.triple("moves"),
         };
         let along = self.along(said)?;
         self.scene.details.journey = along.map(|path| Journey { path, aim: said.triple("to") });

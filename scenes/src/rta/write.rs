@@ -56,6 +56,7 @@ impl Description {
         words.maybe(optics.focus, |words, focus| words.number("focus", focus));
         words.maybe(optics.aperture, |words, aperture| words.number("aperture", aperture));
         words.maybe(optics.shutter, |words, times| words.numbers("shutter", &times));
+        words.maybe(optics.moves, |words, moves| words.vector("moves", moves));
         words.maybe(optics.hither, |words, hither| words.number("hither", hither));
         words.end(text);
         let settings = &self.settings;
@@ -152,6 +153,7 @@ impl Description {
                 }
             }
             words.maybe(self.details.lamp_paths.get(&number), |words, path| words.name("along", path));
+            words.maybe(self.details.lamp_moves.get(&number), |words, moves| words.vector("moves", *moves));
             words.end(text);
         }
     }

@@ -1,6 +1,6 @@
 //! Lamps, textures, materials and objects: the statements that a scene has as often as it likes.
 
-use super::{A_MATERIAL, A_TEXTURE, ALONG, COLORS, OF, PLACE};
+use super::{A_MATERIAL, A_TEXTURE, ALONG, COLORS, MOVES, OF, PLACE};
 use crate::numbers::Range::{
     Any, Between, Gloss, NotNegative, NotZero, Part as Fraction, Positive, Share as Unit,
 };
@@ -24,11 +24,6 @@ const UV: &[V] = &[
 const COLOR: Part =
     may("color", &[V("colour", Color(NotNegative))], "its colour: the part of the light that it sends back")
         .default("that of its material, or white");
-const MOVES: Part = may(
-    "moves",
-    &[V("motion", Vector(Any))],
-    "how far it moves in the time from 0 to 1, in which the shutter is open",
-);
 const INSIDE: Part = may("inside", &[], "it is seen from the inside only");
 const ONE_SIDED: Part = may("one-sided", &[], "it is seen only from where its corners run counterclockwise");
 const GOURAUD: Part = either(9, "gouraud", &[], "with normals: the light of its corners is mixed");
@@ -65,6 +60,7 @@ pub(super) const THINGS: &[Statement] = &[
             either(1, "square", &[], "its light falls with the square of the distance"),
             either(1, "constant", &[], "its light does not depend on the distance")
                 .default("as the model has it"),
+            MOVES,
             ALONG,
         ],
     ),
@@ -292,6 +288,7 @@ pub(super) const THINGS: &[Statement] = &[
             must("normal", &[V("normal", Vector(Any))], "its normal, of any length"),
             COLOR,
             OF,
+            MOVES,
             ALONG,
         ],
     ),
