@@ -32,6 +32,7 @@ use std::path::{Path, PathBuf};
 use std::{env, fs, io};
 
 use rta_core::accelerator::Lists;
+use rta_core::needs::Used;
 
 use crate::accelerator::bvh;
 use crate::description::Description;
@@ -222,7 +223,13 @@ fn source<S: Literal>(scene: &Description, name: &str, recipe: &Recipe) -> Resul
     let wavelengths = Wavelengths::new(recipe.model, &scene.air, &narrowed, limits);
     let dispersive = wavelengths.dispersive();
     let spreading = recipe.spreading.as_ref().filter(|_| !wavelengths.is_dispersive());
-    let used = spreads::used(&narrowed, spreading, recipe.model.used(&narrowed.scene()));
+    let medium = scene.air.medium.filter(|_| !scene.lamps.is_empty());
+    let used = Used {
+        air_reach: scene.air.medium.is_some_and(|medium| medium.reach.is_some()),
+        spread_air: medium.is_some_and(|medium| medium.shadows > 0 && medium.albedo > 0.0),
+        ..recipe.model.used(&narrowed.scene())
+    };
+    let used = spreads::used(&narrowed, spreading, used);
     let mut source = String::new();
     // A String takes all that is written to it.
     let moves = |list: &str| spreads::moves(&narrowed, spreading, list);

@@ -98,6 +98,7 @@ impl Description {
         }
         if let Some(medium) = &mut self.air.medium {
             medium.extinction.iter_mut().for_each(|part| *part /= factor);
+            medium.reach.iter_mut().for_each(|reach| *reach *= factor);
         }
         for texture in &mut self.textures {
             scale(&mut texture.at);

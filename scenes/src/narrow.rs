@@ -205,6 +205,7 @@ pub fn narrow<S: Narrow>(description: &Description, aspect: f64) -> Result<Narro
 fn brought<S: Narrow>(description: &Description, aspect: f64) -> Result<Narrowed<S>, NarrowError> {
     let held = description.has_motion().then(|| description.in_the_middle());
     let description = held.as_ref().unwrap_or(description);
+    air::check_reach::<S>(&description.air)?;
     let is_dispersive = description.materials.iter().any(|material| material.dispersion.is_some());
     let count = description.settings.wavelengths.filter(|_| is_dispersive).unwrap_or(0);
     let wavelengths = (0..count).map(|i| wavelength(i, count)).collect();

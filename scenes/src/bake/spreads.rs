@@ -15,7 +15,7 @@ use crate::sampler::{Lamps, Spreading};
 
 /// Returns what of a scene that needs `used` is needed to spread its rays, too.
 pub(super) fn used<S: Literal>(scene: &Narrowed<S>, spreading: Option<&Spreading>, used: Used) -> Used {
-    let Some(spreading) = spreading else { return used };
+    let Some(spreading) = spreading else { return Used { spread_air: false, ..used } };
     let has_squares = !scene.spreads.squares.is_empty();
     let has_size = has_squares || scene.lamps.iter().any(|lamp| lamp.radius > S::ZERO);
     let area_lamps = used.lamps && spreading.lamps != Lamps::Point && has_size;

@@ -10,7 +10,7 @@ use crate::sampler::{Lamps, Spreading};
 use crate::{dat, shipped};
 
 /// What a scene without coats, and of which no rays are spread, leaves out.
-const UNCOVERED: [&str; 15] = [
+const UNCOVERED: [&str; 17] = [
     "COATS",
     "CHECKER",
     "MARBLE",
@@ -24,6 +24,8 @@ const UNCOVERED: [&str; 15] = [
     "SQUARE_LAMPS",
     "CONE_LAMPS",
     "LENS",
+    "AIR_REACH",
+    "SPREAD_AIR",
     "EYE_MOTION",
     "GLOSS",
 ];
@@ -205,6 +207,8 @@ fn what_spreads_rays_is_needed_where_it_does() {
     let ball = still.lines().filter(|line| !line.contains("corner")).collect::<Vec<_>>().join("\n");
     let moving = still.clone() + "sphere at 3 0 1  radius 1  moves 1 0 0\n";
     let eye = still.replace("lens 1.2", "lens 1.2  moves 0 0 1");
+    let air = still.clone() + "medium extinction .1  shadows 16  reach 9\n";
+    let beams = air.replace("  reach 9", "");
     let lamp = still.replace("power 75", "moves 0 0 1  power 75");
     let spread = |text: &str, lamps, form: Format| {
         let scene = crate::read(text.as_bytes(), "scene.rta").expect("a scene");
@@ -226,6 +230,10 @@ fn what_spreads_rays_is_needed_where_it_does() {
             (&moving, Lamps::Point, "", [false, false]),
             (&eye, Lamps::Point, "EYE_MOTION", [false, true]),
             (&lamp, Lamps::Point, "", [false, false]),
+            (&air, Lamps::Point, "AIR_REACH", [true, true]),
+            (&beams, Lamps::Area, "AREA_LAMPS SQUARE_LAMPS SPREAD_AIR", [false, true]),
+            // Nothing is spread of points through still air.
+            (&beams, Lamps::Point, "", [true, true]),
         ] {
             assert_eq!(spread(text, lamps, format), (needed.to_owned(), items), "{text}");
         }
@@ -252,6 +260,8 @@ fn the_range_is_proved_from_all_of_the_lens_and_as_long_as_the_shutter_is_open()
         text("  aperture 44000  focus 9000000", ""),
         text("", "  moves 0 30000 0"),
         text("  moves 0 40000 0", ""),
+        text("", "\nmedium extinction .5  reach 2048"),
+        text("", "\nmedium extinction 0  reach 40000"),
         text("", "\nlamp at 0 9000 3  moves 0 30000 0"),
         text("  shutter 0 .5", "  along p"),
         text("  shutter 0 .5  along p", ""),

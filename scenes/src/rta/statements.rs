@@ -144,6 +144,8 @@ const ONCE: &[Statement] = &[
                 .default("0"),
             may("shadows", &[V("shadows", Whole(0, 1024))], "places of a ray that ask for shadows")
                 .default("0"),
+            may("reach", &[V("reach", Number(Positive))], "how far it reaches from where a ray starts")
+                .default("up to what a ray meets, if it meets anything"),
         ],
     ),
     once(

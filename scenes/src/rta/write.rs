@@ -99,6 +99,7 @@ impl Description {
             let mut words = Words::new("medium");
             words.vector("extinction", medium.extinction).number("albedo", medium.albedo);
             words.number("anisotropy", medium.anisotropy).number("shadows", medium.shadows.into());
+            words.maybe(medium.reach, |words, reach| words.number("reach", reach));
             words.end(text);
         }
     }

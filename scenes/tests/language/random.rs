@@ -199,10 +199,14 @@ fn air() -> impl Strategy<Value = Air> {
     ];
     let attenuation = (fading, maybe(positive()), maybe(color()))
         .prop_map(|(fading, from, color)| Attenuation { fading, from, color });
-    let medium =
-        (color(), 0.0..=1.0, -0.9..=0.9, 0..=64_u32).prop_map(|(extinction, albedo, anisotropy, shadows)| {
-            Medium { extinction, albedo, anisotropy, shadows }
-        });
+    let medium = (color(), 0.0..=1.0, -0.9..=0.9, 0..=64_u32, maybe(positive()));
+    let medium = medium.prop_map(|(extinction, albedo, anisotropy, shadows, reach)| Medium {
+        extinction,
+        albedo,
+        anisotropy,
+        shadows,
+        reach,
+    });
     (maybe(attenuation), maybe(medium)).prop_map(|(attenuation, medium)| Air { attenuation, medium })
 }
 
