@@ -104,7 +104,8 @@ impl Request {
         let Settings { depth, .. } = *said;
         let depth = asked.depth.or(depth).map_or(request.depth, |depth| depth.min(MAX_DEPTH));
         let cutoff = asked.cutoff.or(Cutoff::of(said));
-        let sampling = sampler(&asked.spreading, Some(&scene.description), SPREAD)?;
+        let drawn = scene.description.drawn_by(request.model);
+        let sampling = sampler(&asked.spreading, Some(&drawn), SPREAD)?;
         Ok(Self { depth, cutoff, sampling, ..request })
     }
 

@@ -213,6 +213,8 @@ pub fn module(scene: &Description, name: &str, recipe: &Recipe) -> Result<String
 }
 
 fn source<S: Literal>(scene: &Description, name: &str, recipe: &Recipe) -> Result<String, BakeError> {
+    let drawn = scene.drawn_by(recipe.model);
+    let scene = &*drawn;
     let narrowed = narrow::<S>(scene, recipe.aspect)?;
     let hierarchy = bvh::build::<S>(scene);
     let limits = match hierarchy.bvh() {

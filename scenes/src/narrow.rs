@@ -22,6 +22,7 @@ mod coats;
 mod cone;
 mod error;
 mod formats;
+mod lobes;
 mod materials;
 pub mod moving;
 mod plane;

@@ -52,13 +52,14 @@ impl Spreading {
     }
 }
 
-/// Returns whether something in a scene spreads rays by itself, seen by a lens of the size `aperture`, if there is one: that lens, motion, or
-/// a rough material; nothing in a picture of several wavelengths.
+/// Returns whether something in a scene spreads rays by itself, seen by a lens of the size `aperture`, if there is one: that lens, motion,
+/// a rough material, or a model's own lobes; nothing in a picture of several wavelengths.
 #[must_use]
 pub fn spreads(scene: &Description, aperture: Option<f64>) -> bool {
     let is_rough = |own: &Material| own.roughness.is_some_and(|roughness| roughness > 0.0);
     let has_lens = aperture.is_some_and(|aperture| aperture > 0.0);
-    !is_spectral(scene) && (has_lens || scene.has_motion() || scene.materials.iter().any(is_rough))
+    !is_spectral(scene)
+        && (has_lens || scene.has_motion() || scene.has_lobes() || scene.materials.iter().any(is_rough))
 }
 
 /// Returns whether the picture of a scene has several wavelengths, whose rays are not spread.

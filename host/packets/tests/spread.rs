@@ -164,6 +164,39 @@ sphere at 1.2 0 1.1  radius 1  color .9 .9 .9  of plate
     assert!(worst < 1e-3 && changed > 0.05, "{worst}, {changed}");
 }
 
+#[test]
+fn own_lobes_are_rough_materials() {
+    let text = |model: &str, roughness: &str| {
+        format!(
+            "rta 1
+model {model}
+camera at 0 -8 3  to 0 0 1  lens 1
+sky horizon .8 .9 1  zenith .2 .3 .7
+ambient grey .3
+floor grey .6 grey .2
+lamp at 5 -9 12  power 90
+material plate like mirror  {roughness}
+sphere at -1.2 0 1.1  radius 1  of plate
+sphere at 1.2 0 1.1  radius 1  color .9 .9 .9  of plate
+"
+        )
+    };
+    let [own, said, smooth] = [
+        text("blinn-full trowbridge .3 lobes", ""),
+        text("blinn-full trowbridge .3", "roughness .3"),
+        text("blinn-full trowbridge .3", ""),
+    ]
+    .map(|text| pictures::<Q16>(&text, Lamps::Point));
+    let mut changed = 0.0f64;
+    for k in 0..40u32 {
+        let right = -0.37 + 0.0187 * f64::from(k);
+        let [own, said, smooth] = [&own, &said, &smooth].map(|pictures| light(pictures, right, k)[0]);
+        assert!(own == said, "{own}, {said}");
+        changed = changed.max((own - smooth).abs());
+    }
+    assert!(changed > 0.05, "{changed}");
+}
+
 /// Checks the part of the time that something bright is seen along y; `what` is the camera's own and the thing.
 fn moving<S: Format>([optics, what]: [&str; 2], exact: f64) {
     // More balls, so that there is a hierarchy to search.

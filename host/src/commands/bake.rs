@@ -31,10 +31,10 @@ pub fn run(args: &BakeArgs) -> Result<(), Error> {
     let reading = Reading::from(args.reading);
     let reading = Reading { texels: reading.texels.or(Some(bake::TEXELS)), ..reading };
     let mut scene = SceneFile::open_as(&args.scene, reading)?;
-    let spreading = spreading(args, &scene.description)?;
+    let model = args.model.unwrap_or(scene.description.model);
+    let spreading = spreading(args, &scene.description.drawn_by(model))?;
     put_lens((args.spread.aperture, args.spread.focus), &mut scene.description);
     let aspect = args.aspect.ratio();
-    let model = args.model.unwrap_or(scene.description.model);
     let fit = Fit { format: args.format, aspect, model: Some(model), depth: 0, asked: args.fit };
     let description = fit.scaled(&scene);
     let recipe = Recipe { format: args.format, aspect, model, spreading };

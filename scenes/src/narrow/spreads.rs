@@ -8,6 +8,7 @@ use rta_core::vector::{UnitVector, Vec3, Vector};
 
 use super::check::Checker;
 use super::moving::{eye, motions};
+use super::variant::Options;
 use super::{Narrow, NarrowError};
 use crate::description::{Description, LampShape, Material};
 use crate::sampler::Spreading;
@@ -59,8 +60,11 @@ impl<S: Narrow> Spreads<S> {
             let middle = check.place(middle, 0.0)?;
             squares.push(Some(square(&check, (*corner, middle), *edges)?));
         }
-        let mut roughness: Vec<_> = said.iter().map(|own| S::unit(own.roughness.unwrap_or(0.0))).collect();
-        let rough = said.iter().rposition(|own| own.roughness.is_some_and(|roughness| roughness > 0.0));
+        let options = Options::of(description);
+        let roughness = said.iter().map(|own| own.roughness.or_else(|| options.lobe(description.model, own)));
+        let roughness: Vec<_> = roughness.map(|own| own.unwrap_or(0.0)).collect();
+        let rough = roughness.iter().rposition(|own| *own > 0.0);
+        let mut roughness: Vec<_> = roughness.into_iter().map(S::unit).collect();
         roughness.truncate(rough.map_or(0, |last| last + 1));
         Ok(Self {
             squares,
