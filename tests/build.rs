@@ -58,7 +58,7 @@ floor grey .8 .25 .3 .35
 sphere at 0 0 1  radius 1  color .9 .6 .3
 sphere at 2.2 0 .7  radius .7  color .9 .9 .9  of mirror
 ";
-const SPREADING: [(&str, Lamps, &str); 6] = [
+const SPREADING: [(&str, Lamps, &str); 9] = [
     (
         "Q16",
         Lamps::Point,
@@ -88,6 +88,22 @@ const SPREADING: [(&str, Lamps, &str); 6] = [
          triangle 1 -3 0  2 -3 0  1.5 -3 1  color .8 .3 .8  moves 0 0 .6\n\
          sphere at 1 -1 .4  radius .4  color .2 .8 .8  moves -1 0 .5\n",
     ),
+    (
+        // An eye and lamps that move, by themselves and along a path, and nothing else.
+        "Q16",
+        Lamps::Area,
+        "path p linear  at 0 0 0 0  at 1 4 0 0\ncamera at 0 -8 2  to 0 0 1  lens 1.2  shutter 0 .25  along p\n\
+         lamp at -4 -5 6  radius 1  power .5  moves 0 0 -4\n\
+         lamp corner 2 -2 4  edges 1.5 0 0  0 1.5 .5  power .5  along p\n",
+    ),
+    (
+        // Beams of a lamp with a size, in air that ends before the sky.
+        "Q16",
+        Lamps::Area,
+        "camera at 0 -8 2  to 0 0 1  lens 1.2\nmedium extinction .05  albedo .9  shadows 16  reach 30\n\
+         lamp at 0 6 5  radius 1  power 30\nsphere at 0 4 3  radius .8\n",
+    ),
+    ("Q20", Lamps::Point, "camera at 0 -8 2  to 0 0 1  lens 1.2  moves .5 0 .2\nlamp at -4 -5 6  power .9\n"),
 ];
 
 /// Bakes scenes whose rays are spread, and writes the tests of `tests/all/spread.rs`.

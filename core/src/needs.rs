@@ -126,6 +126,13 @@ needs! {
     LENS lens,
     /// Indirect light that was solved ahead, where rays are distributed: [`Indirect`](crate::radiosity::Indirect).
     RADIOSITY radiosity,
+    /// A medium that ends at a distance from where a ray starts: the reach of a
+    /// [`Medium`](crate::illumination::air::Medium).
+    AIR_REACH air_reach,
+    /// Shadows in a medium, where rays are distributed.
+    SPREAD_AIR spread_air,
+    /// An eye that moves while the shutter is open, where rays are distributed.
+    EYE_MOTION eye_motion,
     /// Rough surfaces, where rays are distributed; they need [`Needs::MIRROR`].
     GLOSS gloss,
 }

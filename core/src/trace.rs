@@ -36,7 +36,7 @@ use crate::illumination::{Illumination, Passage, Way, Weight};
 use crate::light::Incident;
 use crate::needs::Needs;
 use crate::range::Admitted;
-use crate::ray::Ray;
+use crate::ray::{Ray, RayKind};
 use crate::scalar::vector::{LengthVector, UnitVec3, Vec3};
 use crate::scalar::{Light, Scalar, Unit};
 use crate::surface::Surface;
@@ -214,8 +214,14 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Acceler
         let weight = current.branch.weight;
         if M::ALONG {
             let Pending { start, branch: Branch { kind, .. } } = *current;
-            let way = Way { kind, start, length, surface: surface.as_ref(), lamps: self.scene.scene.lamps };
-            let lit = |place, lamp| self.reached(place, lamp, memory);
+            let (lamps, is_spread) = (self.scene.scene.lamps, !D::STILL && N::SPREAD_AIR);
+            let shift = if is_spread && kind == RayKind::Primary { dice.0.step(dice.1) } else { None };
+            let way = Way { kind, start, length, surface: surface.as_ref(), shift, lamps };
+            let lit = |place, lamp| {
+                let spread =
+                    if is_spread && N::AREA_LAMPS { self.beam(place, lamp, dice, memory) } else { None };
+                spread.unwrap_or_else(|| self.reached(place, lamp, memory))
+            };
             if let Some(Passage { weight: part, veil }) = self.model.along::<N>(&way, lit) {
                 current.branch.weight = weight.compose(part);
                 return current.branch.weight.filter(own).plus(weight.filter(veil));

@@ -112,8 +112,8 @@ impl Request {
         let cutoff = asked.cutoff.or(Cutoff::of(said));
         let light = solution::open(&asked.light, scene)?;
         let lit = light.as_ref().map(|light| scene.description.lit_by(light));
-        let description = lit.as_ref().unwrap_or(&scene.description);
-        let sampling = sampler(&asked.spreading, Some(description), SPREAD)?;
+        let drawn = lit.as_ref().unwrap_or(&scene.description).drawn_by(request.model);
+        let sampling = sampler(&asked.spreading, Some(&drawn), SPREAD)?;
         Ok(Self { depth, cutoff, sampling, light, ..request })
     }
 

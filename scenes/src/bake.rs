@@ -32,6 +32,7 @@ use std::path::{Path, PathBuf};
 use std::{env, fs, io};
 
 use rta_core::accelerator::Lists;
+use rta_core::needs::Used;
 
 use crate::accelerator::bvh;
 use crate::description::Description;
@@ -216,7 +217,8 @@ pub fn module(scene: &Description, name: &str, recipe: &Recipe) -> Result<String
 
 fn source<S: Literal>(scene: &Description, name: &str, recipe: &Recipe) -> Result<String, BakeError> {
     let unsolved = (recipe.radiosity && scene.details.light.is_none()).then(|| scene.unsolved());
-    let scene = unsolved.as_ref().unwrap_or(scene);
+    let drawn = unsolved.as_ref().unwrap_or(scene).drawn_by(recipe.model);
+    let scene = &*drawn;
     let narrowed = narrow::<S>(scene, recipe.aspect)?;
     let hierarchy = bvh::build::<S>(scene);
     let limits = match hierarchy.bvh() {
@@ -227,7 +229,13 @@ fn source<S: Literal>(scene: &Description, name: &str, recipe: &Recipe) -> Resul
     let wavelengths = Wavelengths::new(recipe.model, &scene.air, &narrowed, limits);
     let dispersive = wavelengths.dispersive();
     let spreading = recipe.spreading.as_ref().filter(|_| !wavelengths.is_dispersive());
-    let used = spreads::used(&narrowed, spreading, recipe.model.used(&narrowed.scene()));
+    let medium = scene.air.medium.filter(|_| !scene.lamps.is_empty());
+    let used = Used {
+        air_reach: scene.air.medium.is_some_and(|medium| medium.reach.is_some()),
+        spread_air: medium.is_some_and(|medium| medium.shadows > 0 && medium.albedo > 0.0),
+        ..recipe.model.used(&narrowed.scene())
+    };
+    let used = spreads::used(&narrowed, spreading, used);
     let mut source = String::new();
     // A String takes all that is written to it.
     let moves = |list: &str| spreads::moves(&narrowed, spreading, list);

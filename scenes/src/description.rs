@@ -13,6 +13,7 @@ mod camera;
 mod details;
 mod dispersion;
 mod material;
+mod motion;
 mod path;
 mod quad;
 mod settings;

@@ -88,7 +88,7 @@ impl Description {
     /// Scales the lengths of what few scenes have.
     fn scale_rest(&mut self, factor: f64) {
         let scale = |place: &mut [f64; 3]| place.iter_mut().for_each(|c| *c *= factor);
-        let Optics { focus, aperture, hither, shutter: _ } = &mut self.optics;
+        let Optics { focus, aperture, hither, shutter: _, moves: _ } = &mut self.optics;
         [focus, aperture, hither].into_iter().flatten().for_each(|length| *length *= factor);
         if let Some(Attenuation { fading, from, color: _ }) = &mut self.air.attenuation {
             from.iter_mut().for_each(|length| *length *= factor);
@@ -98,6 +98,7 @@ impl Description {
         }
         if let Some(medium) = &mut self.air.medium {
             medium.extinction.iter_mut().for_each(|part| *part /= factor);
+            medium.reach.iter_mut().for_each(|reach| *reach *= factor);
         }
         for texture in &mut self.textures {
             scale(&mut texture.at);
@@ -118,7 +119,7 @@ impl Description {
         let keyframes = self.details.paths.iter_mut().flat_map(|path| &mut path.keyframes);
         keyframes.map(|keyframe| &mut keyframe.place).for_each(scale);
         self.details.journey.iter_mut().filter_map(|journey| journey.aim.as_mut()).for_each(scale);
-        self.details.objects.values_mut().filter_map(|detail| detail.moves.as_mut()).for_each(scale);
+        self.all_moves().for_each(scale);
     }
 }
 

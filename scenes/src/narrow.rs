@@ -23,6 +23,7 @@ mod cone;
 mod error;
 mod formats;
 pub mod lit;
+mod lobes;
 mod materials;
 pub mod moving;
 mod plane;
@@ -213,6 +214,7 @@ fn brought<S: Narrow>(description: &Description, aspect: f64) -> Result<Narrowed
     let is_lit = description.has_emitters() || description.details.light.is_some();
     let lit = is_lit.then(|| description.with_emitters());
     let description = lit.as_ref().unwrap_or(description);
+    air::check_reach::<S>(&description.air)?;
     let is_dispersive = description.materials.iter().any(|material| material.dispersion.is_some());
     let count = description.settings.wavelengths.filter(|_| is_dispersive).unwrap_or(0);
     let wavelengths = (0..count).map(|i| wavelength(i, count)).collect();

@@ -63,14 +63,14 @@ pub fn lamps(scene: &Description) -> Lamps {
 }
 
 /// Returns whether something in a scene spreads rays by itself, seen by a lens of the size `aperture`, if there is one: that lens, motion,
-/// a quad that emits light, or a rough material; nothing in a picture of several wavelengths.
+/// a quad that emits light, solved light, a rough material, or a model's own lobes; nothing in a picture of several wavelengths.
 #[must_use]
 pub fn spreads(scene: &Description, aperture: Option<f64>) -> bool {
     let is_rough = |own: &Material| own.roughness.is_some_and(|roughness| roughness > 0.0);
     let has_lens = aperture.is_some_and(|aperture| aperture > 0.0);
     let has_emitters = scene.has_emitters() || scene.details.light.is_some();
-    !is_spectral(scene)
-        && (has_lens || has_emitters || scene.has_motion() || scene.materials.iter().any(is_rough))
+    let has_more = has_emitters || scene.has_motion() || scene.has_lobes();
+    !is_spectral(scene) && (has_lens || has_more || scene.materials.iter().any(is_rough))
 }
 
 /// Returns whether the picture of a scene has several wavelengths, whose rays are not spread.

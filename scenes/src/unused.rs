@@ -240,7 +240,8 @@ impl<'a> Answers<'a> {
             }
             let start = Start { origin: sample.point, direction: sample.incoming };
             let kind = RayKind::Transmitted;
-            let way = Way { kind, start, length: Some(LENGTH), surface: Some(&sample), lamps: &[] };
+            let way =
+                Way { kind, start, length: Some(LENGTH), surface: Some(&sample), shift: None, lamps: &[] };
             if let Some(passage) = self.model.along::<Everything>(&way, |_, _| 1.0) {
                 self.add(passage.weight);
                 self.add(passage.veil);

@@ -23,12 +23,12 @@ use crate::surface::Surface;
 
 /// What fills the space between the things of a scene.
 pub trait Air<S: Scalar>: Send + Sync {
-    /// Returns what becomes of the light of a ray that is `length` long; `None` for nothing. `lit` returns the part of the light of a
+    /// Returns what becomes of the light of a ray that is `length` long, `None` where it meets nothing; `None` for nothing. `lit` returns the part of the light of a
     /// lamp, by its number, that reaches a place, 0 to 1; it traces a shadow ray.
     fn passage<N: Needs>(
         &self,
         way: &Way<S>,
-        length: S,
+        length: Option<S>,
         lit: impl FnMut(Vec3<S>, usize) -> S::Unit,
     ) -> Option<Passage<S, Rgb<S::Unit>>>;
 }
@@ -38,7 +38,7 @@ impl<S: Scalar, A: Air<S>> Air<S> for Option<A> {
     fn passage<N: Needs>(
         &self,
         way: &Way<S>,
-        length: S,
+        length: Option<S>,
         lit: impl FnMut(Vec3<S>, usize) -> S::Unit,
     ) -> Option<Passage<S, Rgb<S::Unit>>> {
         self.as_ref()?.passage::<N>(way, length, lit)
@@ -50,7 +50,7 @@ impl<S: Scalar, A: Air<S>, B: Air<S>> Air<S> for (A, B) {
     fn passage<N: Needs>(
         &self,
         way: &Way<S>,
-        length: S,
+        length: Option<S>,
         mut lit: impl FnMut(Vec3<S>, usize) -> S::Unit,
     ) -> Option<Passage<S, Rgb<S::Unit>>> {
         let first = self.0.passage::<N>(way, length, &mut lit);
@@ -61,7 +61,8 @@ impl<S: Scalar, A: Air<S>, B: Air<S>> Air<S> for (A, B) {
     }
 }
 
-/// An illumination model whose light passes through air. A ray that meets nothing shows the sky as it is.
+/// An illumination model whose light passes through air. A ray that meets nothing shows the sky as it is, but
+/// for a [`Medium`] with a reach.
 ///
 /// Weights have three registers, as air may have a colour.
 #[derive(Clone, Copy, Debug)]
@@ -111,7 +112,7 @@ impl<S: Scalar, M: Illumination<S>, A: Air<S>> Illumination<S> for Through<M, A>
     ) -> Option<Passage<S, Self::Weight>> {
         let inner = if M::ALONG { self.model.along::<N>(way, &mut lit) } else { None };
         let inner = inner.map(Passage::registers);
-        let outer = way.length.and_then(|length| self.air.passage::<N>(way, length, lit));
+        let outer = self.air.passage::<N>(way, way.length, lit);
         match (inner, outer) {
             (Some(inner), Some(outer)) => Some(inner.then(outer)),
             (inner, outer) => inner.or(outer),

@@ -20,6 +20,8 @@ pub struct Way<'a, S: Scalar> {
     pub length: Option<S>,
     /// The surface that it meets; if it is met from the [inside](Surface::inside), the ray ran inside of its material.
     pub surface: Option<&'a Surface<'a, S>>,
+    /// Where in its steps light is taken that is gathered by steps along the way, 0 to 1; `None` for the middles.
+    pub shift: Option<S::Unit>,
     /// The scene's lamps.
     pub lamps: &'a [Lamp<S>],
 }

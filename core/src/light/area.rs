@@ -13,8 +13,10 @@ use crate::scalar::{Scalar, Unit};
 /// A lamp that is a parallelogram, and shines to one side.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Square<S: Scalar> {
-    /// A corner.
+    /// A corner, where the lamp's middle is at [`middle`](Self::middle).
     pub corner: Vec3<S>,
+    /// The middle, the position of its [`Lamp`]: a lamp that moves is moved from there.
+    pub middle: Vec3<S>,
     /// The two edges that begin there.
     pub edges: [Vec3<S>; 2],
     /// Unit normal on the side to which it shines: along the product of the edges.
@@ -100,7 +102,8 @@ impl<'l, S: Scalar> Glimpse<'l, S> {
             Vec3::<S>::new(edge.x().scale(part), edge.y().scale(part), edge.z().scale(part))
         };
         let [along, across] = square.edges;
-        let spot = square.corner + part(along, u) + part(across, v);
+        let corner = square.corner + (point.position - square.middle);
+        let spot = corner + part(along, u) + part(across, v);
         let (direction, distance, inverse_distance) = (spot - place).normalize()?;
         let sent = -square.normal.dot(direction);
         if sent <= S::Unit::ZERO {

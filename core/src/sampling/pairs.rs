@@ -23,8 +23,10 @@ pub enum Purpose {
     Lamp = 4,
     /// A lamp among several, and whether a path ends.
     Choice = 5,
-    /// A step through the air.
+    /// A step through the air; the second number is free.
     Air = 6,
+    /// A place on a lamp that lights the air.
+    Beam = 7,
     /// A place on a patch from which light is gathered; x is the patch's number in its quadrilateral, y that of the quadrilateral.
     Patch = 8,
     /// The direction from which it is gathered.

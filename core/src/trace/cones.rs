@@ -12,6 +12,7 @@ use crate::illumination::Illumination;
 use crate::light::cone::{Hidden, LampCone};
 use crate::light::{Incident, Lamp};
 use crate::needs::Needs;
+use crate::scalar::vector::{UnitVec3, UnitVector, Vec3};
 use crate::scalar::{Light, Scalar, Unit};
 use crate::scene::{Object, Visit, index};
 use crate::shape::{Look, Primitive};
@@ -53,6 +54,14 @@ impl<S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Accelerator
         }
         observer.lamp(number, &incident, unhidden, part);
         unhidden.map(|light| light.times(part))
+    }
+
+    /// Returns the part of a lamp that the things in the cone from a place in the air to it leave.
+    pub(super) fn cone_beam(&self, place: Vec3<S>, lamp: &Lamp<S>, bodies: &[u32]) -> S::Unit {
+        let point = Lamp { radius: S::ZERO, ..*lamp };
+        let incident = Incident::new(&point, place, UnitVec3::<S>::Z);
+        let cone = incident.and_then(|incident| LampCone::new(place, &incident, lamp.radius));
+        cone.map_or(S::Unit::ONE, |cone| unhidden_part::<S, N>(self.scene, &cone, None, bodies))
     }
 }
 

@@ -12,6 +12,7 @@ use crate::light::area::Square;
 use crate::radiosity::Indirect;
 use crate::ray::RayKind;
 use crate::sampling::pairs::{Pairs, Purpose, pair};
+use crate::scalar::vector::Vec3;
 use crate::scalar::{Scalar, Unit};
 use crate::scene::Object;
 use crate::surface::Surface;
@@ -34,9 +35,14 @@ pub trait Dice<S: Scalar>: Copy {
         None
     }
 
-    /// Returns the places on lamp number `lamp` that light the point where the ray at `node` ends; `None` if the lamp is a point. `is_first`
-    /// says whether that is a ray from the eye.
-    fn places(self, _lamp: usize, _node: Self::Node, _is_first: bool) -> Option<LampPlaces> {
+    /// Returns the places on lamp number `lamp` that light the point where the ray at `node` ends, or the air on its way, as `purpose` says;
+    /// `None` if the lamp is a point. `is_first` says whether that is a point that the eye sees.
+    fn places(self, _lamp: usize, _for: (Purpose, Self::Node), _is_first: bool) -> Option<LampPlaces> {
+        None
+    }
+
+    /// Returns where in the steps through the air that the ray at `node` goes through their light is taken, 0 to 1; `None` for the middles.
+    fn step(self, _node: Self::Node) -> Option<S::Unit> {
         None
     }
 
@@ -109,6 +115,9 @@ pub struct Spread<'a, S: Scalar> {
     pub bodies: &'a [u32],
     /// Light that was solved ahead and takes the place of the scene's ambient light.
     pub indirect: Option<Indirect<'a, S>>,
+    /// How far the eye moves while the shutter is open, for a tracer of what [moves](super::moving::Moving): half of it before it is where the
+    /// camera is, and half of it after that. It keeps its direction.
+    pub eye: Option<Vec3<S>>,
 }
 
 impl<S: Scalar> Spread<'_, S> {
@@ -121,6 +130,7 @@ impl<S: Scalar> Spread<'_, S> {
         roughness: &[],
         bodies: &[],
         indirect: None,
+        eye: None,
     };
 }
 
@@ -174,7 +184,12 @@ impl<S: Scalar> Dice<S> for &Thrown<'_, S> {
         (roughness > S::Unit::ZERO).then(|| (roughness, self.words(Purpose::Lobe, node)))
     }
 
-    fn places(self, lamp: usize, node: u32, is_first: bool) -> Option<LampPlaces> {
+    fn step(self, node: u32) -> Option<S::Unit> {
+        let [shift, _] = self.words(Purpose::Air, node);
+        Some(S::Unit::of_word(shift))
+    }
+
+    fn places(self, lamp: usize, (purpose, node): (Purpose, u32), is_first: bool) -> Option<LampPlaces> {
         match self.spread.lamps {
             Lamps::Point | Lamps::Cone => None,
             Lamps::Fixed(side) => Some(LampPlaces::grid(side)),
@@ -185,7 +200,7 @@ impl<S: Scalar> Dice<S> for &Thrown<'_, S> {
                 let seed = self.seed.wrapping_add(lamp.wrapping_mul(0x9e37_79b9));
                 let own = Thrown { seed, ..*self };
                 let first = self.sample.number.wrapping_mul(split);
-                Some(LampPlaces::some(own.pairs(Purpose::Lamp, node), first, split))
+                Some(LampPlaces::some(own.pairs(purpose, node), first, split))
             }
         }
     }

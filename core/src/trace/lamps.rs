@@ -9,7 +9,8 @@ use crate::illumination::Illumination;
 use crate::light::area::Glimpse;
 use crate::light::{Incident, Lamp};
 use crate::needs::Needs;
-use crate::scalar::vector::LengthVector;
+use crate::sampling::pairs::Purpose;
+use crate::scalar::vector::{LengthVector, UnitVec3, UnitVector, Vec3};
 use crate::scalar::{Light, Scalar, Unit};
 use crate::scene::Object;
 use crate::surface::Surface;
@@ -33,8 +34,53 @@ impl<S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Accelerator
         {
             return Some(self.cone_light((surface, object), (number, lamp), bodies, observer));
         }
-        let places = dice.places(number, node, is_first)?;
+        let places = dice.places(number, (Purpose::Lamp, node), is_first)?;
         Some(self.placed_light(surface, (number, lamp), (dice, &places), memory, observer))
+    }
+
+    /// Returns the part of the light of lamp number `number` that reaches a place in the air on the way of the ray at a node, 0 to 1, for a
+    /// lamp with a size: the mean over places on it, one where they differ from sample to sample, or what things in the cone to it leave. A
+    /// parallelogram lights the air before it, by the cosine there. `None` where the dice take the lamp as a point.
+    #[inline(never)] // points do not pay for it
+    pub(super) fn beam<D: Dice<S>>(
+        &self,
+        place: Vec3<S>,
+        number: usize,
+        (dice, node): (D, D::Node),
+        memory: &mut A::Memory,
+    ) -> Option<S::Unit> {
+        let scene = &self.scene.scene;
+        let lamp = scene.lamps.get(number).filter(|_| N::SHADOWS)?;
+        if !has_size::<S, D, N>(dice, number, lamp) {
+            return None;
+        }
+        if N::CONE_LAMPS
+            && let Some(bodies) = dice.bodies()
+        {
+            return Some(self.cone_beam(place, lamp, bodies));
+        }
+        let places = dice.places(number, (Purpose::Beam, node), false)?;
+        let point = Lamp { radius: S::ZERO, ..*lamp };
+        let (own, from) = ((lamp.radius, lamp.inverse_radius), (place, UnitVec3::<S>::Z));
+        let share = S::Unit::fraction(1, places.count());
+        let mut part = S::Unit::ZERO;
+        for k in 0..places.count() {
+            let pair = places.get(k);
+            let (glimpse, sent) = match dice.square(number) {
+                Some(square) if N::SQUARE_LAMPS => {
+                    let Some(glimpse) = Glimpse::of_square(&point, square, from, pair) else { continue };
+                    let sent = -square.normal.dot(glimpse.place.direction);
+                    (glimpse, sent)
+                }
+                _ => (Glimpse::of_sphere(&point, own, from, pair), S::Unit::ONE),
+            };
+            let Incident { direction, distance, .. } = glimpse.place;
+            let ray = self.ray(Start { origin: place, direction });
+            let search = self.scene.accelerator();
+            let passed = search.transmittance::<N>(self.scene, &ray, distance, number, memory);
+            part = part + passed.times(sent).times(share);
+        }
+        Some(part)
     }
 
     /// Returns the radiance that a surface sends back of lamp number `number`: the mean over `places` on it.
@@ -85,3 +131,7 @@ pub(super) fn shadow_start<S: Scalar, N: Needs>(
 pub(super) fn has_size<S: Scalar, D: Dice<S>, N: Needs>(dice: D, number: usize, lamp: &Lamp<S>) -> bool {
     lamp.radius > S::ZERO || N::SQUARE_LAMPS && dice.square(number).is_some()
 }
+
+#[cfg(test)]
+#[cfg(feature = "f64")]
+mod tests;

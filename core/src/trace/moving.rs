@@ -32,10 +32,13 @@ pub struct Motion<S: Scalar> {
 impl<S: Scalar> Motion<S> {
     /// Puts what moves where it is at an instant, from -1/2, when the shutter opens, to 1/2. `scene` is as it is in the middle of the time.
     pub fn put(&self, copies: &mut Copies<S>, scene: &Scene<S>, time: S::Unit) {
-        let way = self.by;
-        let by = Vec3::<S>::new(way.x().scale(time), way.y().scale(time), way.z().scale(time));
-        copies.put(self.object, scene, by);
+        copies.put(self.object, scene, moved::<S>(self.by, time));
     }
+}
+
+/// Returns how far something is at an instant from where it is in the middle of the time, for how far it moves in all.
+pub fn moved<S: Scalar>(by: Vec3<S>, time: S::Unit) -> Vec3<S> {
+    Vec3::<S>::new(by.x().scale(time), by.y().scale(time), by.z().scale(time))
 }
 
 /// The memory of the copies of lists in which something moves.
@@ -127,7 +130,12 @@ where
         let dice = self.still.dice(sample);
         let [time, _] = dice.words(Purpose::Time, <&Thrown<S> as Dice<S>>::EYE);
         let time = S::Unit::of_word(time) - S::Unit::of_word(1 << 31);
-        let start = self.still.start(camera, place, &dice);
+        let mut start = self.still.start(camera, place, &dice);
+        if N::EYE_MOTION
+            && let Some(by) = self.still.spread.eye
+        {
+            start.origin = start.origin + moved::<S>(by, time);
+        }
         let Memory { accelerator, room } = memory;
         let light = self.at(time, room, |tracer| tracer.walk(start, &dice, accelerator, observer));
         light.unwrap_or(Rgb::BLACK)

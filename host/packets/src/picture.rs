@@ -161,6 +161,8 @@ macro_rules! formats {
                 model: Model,
                 setup: &Setup,
             ) -> Result<Box<dyn Picture<Self>>, PictureError> {
+                let drawn = scene.drawn_by(model);
+                let scene = &*drawn;
                 if let Sampler::Adaptive(adaptive) = setup.sampling {
                     let single = Self::picture(scene, model, &Setup { sampling: Sampler::CENTER, ..*setup })?;
                     return Ok(Box::new(Antialiased::new(single, *setup, adaptive)));

@@ -164,32 +164,77 @@ sphere at 1.2 0 1.1  radius 1  color .9 .9 .9  of plate
     assert!(worst < 1e-3 && changed > 0.05, "{worst}, {changed}");
 }
 
-/// Returns the part of the time that a white ball is seen along y.
-fn moving<S: Format>(ball: &str, shutter: &str, exact: f64) {
+#[test]
+fn own_lobes_are_rough_materials() {
+    let text = |model: &str, roughness: &str| {
+        format!(
+            "rta 1
+model {model}
+camera at 0 -8 3  to 0 0 1  lens 1
+sky horizon .8 .9 1  zenith .2 .3 .7
+ambient grey .3
+floor grey .6 grey .2
+lamp at 5 -9 12  power 90
+material plate like mirror  {roughness}
+sphere at -1.2 0 1.1  radius 1  of plate
+sphere at 1.2 0 1.1  radius 1  color .9 .9 .9  of plate
+"
+        )
+    };
+    let [own, said, smooth] = [
+        text("blinn-full trowbridge .3 lobes", ""),
+        text("blinn-full trowbridge .3", "roughness .3"),
+        text("blinn-full trowbridge .3", ""),
+    ]
+    .map(|text| pictures::<Q16>(&text, Lamps::Point));
+    let mut changed = 0.0f64;
+    for k in 0..40u32 {
+        let right = -0.37 + 0.0187 * f64::from(k);
+        let [own, said, smooth] = [&own, &said, &smooth].map(|pictures| light(pictures, right, k)[0]);
+        assert!(own == said, "{own}, {said}");
+        changed = changed.max((own - smooth).abs());
+    }
+    assert!(changed > 0.05, "{changed}");
+}
+
+/// Checks the part of the time that something bright is seen along y; `what` is the camera's own and the thing.
+fn moving<S: Format>([optics, what]: [&str; 2], exact: f64) {
     // More balls, so that there is a hierarchy to search.
     let others: String =
         (0..30).map(|i| format!("sphere at {} 40 30  radius 1  color black\n", i * 3)).collect();
     let text = format!(
-        "rta 1\nmodel flat\ncamera at 0 0 0  look 0 1 0  lens 1{shutter}\nsky black\nambient black\nsphere {ball}  color white\n{others}"
+        "rta 1\npath p linear at 0 1 1 1  at .5 9 1 1  at 1 9 1 1\nmodel flat\ncamera at 0 0 0  look 0 1 0  lens 1{optics}\n\
+         sky black\nambient black\n{what}  color white\n{others}"
     );
     let [part, error] = light(&pictures::<S>(&text, Lamps::Point), 0.0, 1);
-    assert!((part - exact).abs() <= 5.0 * error + 1e-3, "{} {ball}: {part}, {exact}", S::NAME);
+    assert!((part - exact).abs() <= 5.0 * error + 1e-3, "{} {optics} {what}: {part}, {exact}", S::NAME);
 }
 
 #[test]
-fn moving_balls_are_seen_as_long_as_they_should_be() {
-    for (ball, shutter, exact) in [
-        ("at -2 8 0  radius 1  moves 4 0 0", "", 0.5),
-        ("at -2 8 .5  radius 1  moves 4 0 0", "", 0.433_012_702),
-        ("at -.5 8 0  radius 1  moves 2 3 0", "", 0.75),
-        ("at 0 8 0  radius 1  moves 0 5 0", "", 1.0),
+fn what_moves_is_seen_as_long_as_it_should_be() {
+    for (optics, what, exact) in [
+        ("", "sphere at -2 8 0  radius 1  moves 4 0 0", 0.5),
+        ("", "sphere at -2 8 .5  radius 1  moves 4 0 0", 0.433_012_702),
+        ("", "sphere at -.5 8 0  radius 1  moves 2 3 0", 0.75),
+        ("", "sphere at 0 8 0  radius 1  moves 0 5 0", 1.0),
         // Only while it is on its way out of sight.
-        ("at -2 8 0  radius 1  moves 4 0 0", "  shutter .5 1", 0.5),
-        ("at -2 8 0  radius 1  moves 4 0 0", "  shutter .75 1", 0.0),
+        ("  shutter .5 1", "sphere at -2 8 0  radius 1  moves 4 0 0", 0.5),
+        ("  shutter .75 1", "sphere at -2 8 0  radius 1  moves 4 0 0", 0.0),
+        // A lamp that is seen, and an eye.
+        ("", "lamp at -2 8 .5  radius 1  moves 4 0 0", 0.433_012_702),
+        ("  shutter .5 1", "lamp at -2 8 0  radius 1  moves 4 0 0", 0.5),
+        ("  moves -4 0 0", "sphere at -2 8 .5  radius 1", 0.433_012_702),
+        ("  moves 2 0 0  shutter .5 1", "sphere at -6 8 .5  radius 1  moves 10 0 0", 0.433_012_702),
+        // Along a path, 8 to the right in half of the film, which goes on as long.
+        ("  shutter 0 .25", "sphere at -2 8 .5  radius 1  along p", 0.433_012_702),
+        ("  shutter 0 .25", "lamp at -2 8 .5  radius 1  along p", 0.433_012_702),
+        ("  shutter 0 .25  along p", "sphere at 2 8 .5  radius 1", 0.433_012_702),
+        ("  shutter .5 1", "sphere at -8 8 0  radius 1  along p", 1.0),
+        ("", "sphere at 0 8 0  radius 1  along p", 1.0),
     ] {
-        moving::<f64>(ball, shutter, exact);
-        moving::<f32>(ball, shutter, exact);
-        moving::<Q16>(ball, shutter, exact);
-        moving::<Q20>(ball, shutter, exact);
+        moving::<f64>([optics, what], exact);
+        moving::<f32>([optics, what], exact);
+        moving::<Q16>([optics, what], exact);
+        moving::<Q20>([optics, what], exact);
     }
 }

@@ -35,10 +35,10 @@ pub fn run(args: &BakeArgs) -> Result<(), Error> {
     if let Some(light) = solution::open(&args.light, &scene)? {
         scene.description = scene.description.lit_by(&light);
     }
-    let spreading = spreading(args, &scene.description)?;
+    let model = args.model.unwrap_or(scene.description.model);
+    let spreading = spreading(args, &scene.description.drawn_by(model))?;
     put_lens((args.spread.aperture, args.spread.focus), &mut scene.description);
     let aspect = args.aspect.ratio();
-    let model = args.model.unwrap_or(scene.description.model);
     let fit = Fit { format: args.format, aspect, model: Some(model), depth: 0, asked: args.fit };
     let description = fit.scaled(&scene);
     let recipe = Recipe { format: args.format, aspect, model, spreading, radiosity: args.radiosity };

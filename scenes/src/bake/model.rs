@@ -144,14 +144,15 @@ fn fading_of<S: Literal>(layer: &Layer<S>) -> String {
 
 /// Returns a medium as an expression: one that scatters nothing is fog.
 fn medium_of<S: Literal>(medium: &Medium<S>) -> String {
-    let Medium { fog: Fog { density, glow }, albedo, phase, halvings, shadows, fades } = *medium;
+    let Medium { fog: Fog { density, glow }, albedo, phase, halvings, shadows, reach, fades } = *medium;
     let fog = format!("Fog {{ density: {}, glow: {} }}", positives::<S>(density), light::<S>(glow));
-    if albedo == S::Unit::ZERO {
+    if albedo == S::Unit::ZERO && reach.is_none() {
         return fog;
     }
+    let reach = reach.map_or_else(|| "None".into(), |reach| format!("Some({})", length(reach)));
     let (albedo, forward) = (unit::<S>(albedo), unit::<S>(phase.forward));
     format!(
         "Medium {{ fog: {PATH}::air::{fog}, albedo: {albedo}, phase: {PATH}::fade::Phase {{ forward: {forward} }}, \
-         halvings: {halvings}, shadows: {shadows}, fades: {fades} }}"
+         halvings: {halvings}, shadows: {shadows}, reach: {reach}, fades: {fades} }}"
     )
 }

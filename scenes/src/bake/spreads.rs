@@ -15,7 +15,7 @@ use crate::sampler::{Lamps, Spreading};
 
 /// Returns what of a scene that needs `used` is needed to spread its rays, too.
 pub(super) fn used<S: Literal>(scene: &Narrowed<S>, spreading: Option<&Spreading>, used: Used) -> Used {
-    let Some(spreading) = spreading else { return used };
+    let Some(spreading) = spreading else { return Used { spread_air: false, ..used } };
     let has_squares = !scene.spreads.squares.is_empty();
     let has_size = has_squares || scene.lamps.iter().any(|lamp| lamp.radius > S::ZERO);
     let area_lamps = used.lamps && spreading.lamps != Lamps::Point && has_size;
@@ -25,6 +25,7 @@ pub(super) fn used<S: Literal>(scene: &Narrowed<S>, spreading: Option<&Spreading
         cone_lamps: area_lamps && spreading.lamps == Lamps::Cone,
         radiosity: scene.lit.is_some(),
         lens: scene.spreads.aperture.is_some(),
+        eye_motion: scene.spreads.eye.is_some(),
         gloss: used.mirror && !scene.spreads.roughness.is_empty(),
         ..used
     }
@@ -84,14 +85,15 @@ pub(super) fn write<S: Literal>(
 
 /// Writes the fields of what spreads, within an item.
 fn write_spread<S: Literal>(out: &mut impl Write, spread: &Spread<S>) -> fmt::Result {
-    let Spread { lamps, split, squares, aperture, roughness, bodies, indirect: _ } = spread;
+    let Spread { lamps, split, squares, aperture, roughness, bodies, indirect: _, eye } = spread;
     let square = |square: &Option<Square<S>>| {
-        let Some(Square { corner, edges, normal, least: (least, inverse) }) = square else {
+        let Some(Square { corner, middle, edges, normal, least: (least, inverse) }) = square else {
             return "None".to_owned();
         };
         format!(
-            "Some(::rta_core::light::area::Square {{ corner: {}, edges: [{}], normal: {}, least: ({}, {}) }})",
+            "Some(::rta_core::light::area::Square {{ corner: {}, middle: {}, edges: [{}], normal: {}, least: ({}, {}) }})",
             place::<S>(*corner),
+            place::<S>(*middle),
             edges.map(place::<S>).join(", "),
             direction::<S>(*normal),
             length(*least),
@@ -110,11 +112,12 @@ fn write_spread<S: Literal>(out: &mut impl Write, spread: &Spread<S>) -> fmt::Re
             )
         },
     );
+    let eye = eye.map_or_else(|| "None".into(), |by| format!("Some({})", place::<S>(by)));
     writeln!(
         out,
         "    ::rta_core::trace::dice::Spread {{\n        lamps: ::rta_core::trace::dice::Lamps::{lamps:?},\n        \
          split: {split},\n        squares: const {{ &[{}] }},\n        aperture: {aperture},\n        \
-         roughness: const {{ &[{}] }},\n        bodies: &{bodies:?},\n        indirect: None,\n    }}",
+         roughness: const {{ &[{}] }},\n        bodies: &{bodies:?},\n        indirect: None,\n        eye: {eye},\n    }}",
         squares.join(", "),
         roughness.join(", ")
     )

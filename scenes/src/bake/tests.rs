@@ -10,7 +10,7 @@ use crate::sampler::{Lamps, Spreading};
 use crate::{dat, shipped};
 
 /// What a scene without coats, and of which no rays are spread, leaves out.
-const UNCOVERED: [&str; 16] = [
+const UNCOVERED: [&str; 19] = [
     "COATS",
     "CHECKER",
     "MARBLE",
@@ -26,6 +26,9 @@ const UNCOVERED: [&str; 16] = [
     "CONE_LAMPS",
     "LENS",
     "RADIOSITY",
+    "AIR_REACH",
+    "SPREAD_AIR",
+    "EYE_MOTION",
     "GLOSS",
 ];
 
@@ -205,6 +208,10 @@ fn what_spreads_rays_is_needed_where_it_does() {
         still.clone() + "material dull like mirror  roughness .2\nsphere at 3 0 1  radius 1  of dull\n";
     let ball = still.lines().filter(|line| !line.contains("corner")).collect::<Vec<_>>().join("\n");
     let moving = still.clone() + "sphere at 3 0 1  radius 1  moves 1 0 0\n";
+    let eye = still.replace("lens 1.2", "lens 1.2  moves 0 0 1");
+    let air = still.clone() + "medium extinction .1  shadows 16  reach 9\n";
+    let beams = air.replace("  reach 9", "");
+    let lamp = still.replace("power 75", "moves 0 0 1  power 75");
     let spread = |text: &str, lamps, form: Format| {
         let scene = crate::read(text.as_bytes(), "scene.rta").expect("a scene");
         let spreading = Spreading::of(&scene, lamps, 4);
@@ -223,6 +230,12 @@ fn what_spreads_rays_is_needed_where_it_does() {
             (&ball, Lamps::Cone, "AREA_LAMPS CONE_LAMPS", [false, true]),
             (&rough, Lamps::Point, "GLOSS", [false, true]),
             (&moving, Lamps::Point, "", [false, false]),
+            (&eye, Lamps::Point, "EYE_MOTION", [false, true]),
+            (&lamp, Lamps::Point, "", [false, false]),
+            (&air, Lamps::Point, "AIR_REACH", [true, true]),
+            (&beams, Lamps::Area, "AREA_LAMPS SQUARE_LAMPS SPREAD_AIR", [false, true]),
+            // Nothing is spread of points through still air.
+            (&beams, Lamps::Point, "", [true, true]),
         ] {
             assert_eq!(spread(text, lamps, format), (needed.to_owned(), items), "{text}");
         }
@@ -232,15 +245,29 @@ fn what_spreads_rays_is_needed_where_it_does() {
 #[test]
 fn the_range_is_proved_from_all_of_the_lens_and_as_long_as_the_shutter_is_open() {
     let text = |optics: &str, moves: &str| {
-        format!("rta 1\ncamera at 0 0 0  look 0 1 0  lens 1{optics}\nsphere at 0 9000 0  radius 1{moves}\n")
+        format!(
+            "rta 1\npath p at 0 0 0 0  at 1 0 90000 0\ncamera at 0 0 0  look 0 1 0  lens 1{optics}\n\
+             sphere at 0 9000 0  radius 1{moves}\n"
+        )
     };
     let bake = |text: &str| {
         let scene = crate::read(text.as_bytes(), "scene.rta").expect("a scene");
         module(&scene, "scene", &Recipe::of(Format::Q16, &scene))
     };
     assert!(bake(&text("", "")).is_ok());
-    assert!(bake(&text("  aperture 2  focus 9", "  moves 0 9 0")).is_ok());
-    for text in [text("  aperture 44000  focus 9000000", ""), text("", "  moves 0 30000 0")] {
+    assert!(bake(&text("  aperture 2  focus 9  moves 0 9 0", "  moves 0 9 0")).is_ok());
+    // Only a shutter that is told is open for a part of the film.
+    assert!(bake(&text("", "  along p")).is_ok());
+    for text in [
+        text("  aperture 44000  focus 9000000", ""),
+        text("", "  moves 0 30000 0"),
+        text("  moves 0 40000 0", ""),
+        text("", "\nmedium extinction .5  reach 2048"),
+        text("", "\nmedium extinction 0  reach 40000"),
+        text("", "\nlamp at 0 9000 3  moves 0 30000 0"),
+        text("  shutter 0 .5", "  along p"),
+        text("  shutter 0 .5  along p", ""),
+    ] {
         let error = bake(&text).expect_err("too wide");
         assert!(matches!(error, BakeError::Range(_) | BakeError::Narrow(_)), "{error:?}");
     }

@@ -45,13 +45,15 @@ pub struct Medium {
     pub anisotropy: f64,
     /// Places of a ray at which shadows are asked for; 0 is none.
     pub shadows: u32,
+    /// How far it reaches from where a ray starts, above 0; without it as far as what the ray meets, and nowhere if that is nothing.
+    pub reach: Option<f64>,
 }
 
 impl Medium {
     /// Returns a medium that absorbs light and scatters none.
     #[must_use]
     pub const fn fog(extinction: [f64; 3]) -> Self {
-        Self { extinction, albedo: 0.0, anisotropy: 0.0, shadows: 0 }
+        Self { extinction, albedo: 0.0, anisotropy: 0.0, shadows: 0, reach: None }
     }
 }
 

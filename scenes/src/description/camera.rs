@@ -53,6 +53,8 @@ pub struct Optics {
     pub aperture: Option<f64>,
     /// When the shutter opens and closes.
     pub shutter: Option<[f64; 2]>,
+    /// How far the eye moves in the time from 0 to 1; it keeps its direction.
+    pub moves: Option<[f64; 3]>,
     /// Distance from the eye within which nothing is seen, above 0.
     pub hither: Option<f64>,
 }

@@ -30,6 +30,8 @@ pub struct Details {
     pub lamp_paths: BTreeMap<usize, String>,
     /// Radiosity that was solved ahead.
     pub light: Option<Arc<Solved>>,
+    /// How far lamps move in the time from 0 to 1, by the lamps' numbers, from 0.
+    pub lamp_moves: BTreeMap<usize, [f64; 3]>,
     /// The pictures that the scene names, by the names of their files, as far as they were [loaded](super::Description::load_pictures).
     pub pictures: BTreeMap<String, Arc<Pixels>>,
 }
@@ -54,7 +56,7 @@ pub enum LampShape {
 pub struct Detail {
     /// How a triangle with normals is shaded.
     pub shading: Shading,
-    /// How far it moves while the shutter is open once.
+    /// How far it moves in the time from 0 to 1.
     pub moves: Option<[f64; 3]>,
     /// The path that it moves along, by its name.
     pub along: Option<String>,

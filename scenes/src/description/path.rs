@@ -1,7 +1,5 @@
 //! Paths: how camera, lamps and objects move in the frames of a film.
 
-use rta_core::scene::Object;
-
 use super::{Description, LampShape};
 use crate::space::{Triple, difference, unit};
 
@@ -67,14 +65,17 @@ impl Path {
         if place.iter().all(|part| part.is_finite()) { place } else { from.place }
     }
 
+    /// Returns whether the path ends where it begins, as a film that is shown again and again does.
+    fn goes_round(&self) -> bool {
+        let ends = self.keyframes.first().zip(self.keyframes.last());
+        ends.is_some_and(|(first, last)| first.place == last.place && first.time == 0.0 && last.time == 1.0)
+    }
+
     /// Returns how far the path goes in the time `span` at the speed that it has at a keyframe.
     fn velocity(&self, key: usize, span: f64) -> Triple {
         let keys = &self.keyframes;
         let last = keys.len().saturating_sub(1);
-        let goes_round = keys
-            .first()
-            .zip(keys.last())
-            .is_some_and(|(first, last)| first.place == last.place && first.time == 0.0 && last.time == 1.0);
+        let goes_round = self.goes_round();
         // The keyframe, and how many films later.
         let (before, behind) = match key {
             0 if goes_round => ((last.saturating_sub(1), -1.0), (1, 0.0)),
@@ -92,10 +93,40 @@ impl Path {
         difference(behind.place, before.place).map(|part| part * share)
     }
 
-    /// Returns how far the path has moved what goes along it at an instant.
+    /// Returns how far the path has moved what goes along it at an instant. Beyond the end of a film one that goes round does so.
     fn moved(&self, instant: f64) -> Triple {
-        difference(self.place(instant), self.place(0.0))
+        let is_within = (0.0..=1.0).contains(&instant) || !self.goes_round();
+        difference(self.place(if is_within { instant } else { instant.rem_euclid(1.0) }), self.place(0.0))
     }
+
+    /// Returns how the path carries what goes along it at an instant, while a shutter with times of its own is open.
+    fn carried(&self, instant: f64, shutter: Option<[f64; 2]>) -> Carried {
+        let Some([opening, closing]) = shutter else {
+            let by = self.moved(instant);
+            return Carried { by, moves: None, middle: by };
+        };
+        let [from, to] = [opening, closing].map(|time| self.moved(instant + time));
+        // A shutter that opens for no time at all shows where the path is then.
+        let velocity = if closing == opening { 0.0 } else { 1.0 / (closing - opening) };
+        let moves = difference(to, from).map(|part| (part * velocity).clamp(f64::MIN, f64::MAX));
+        let at = |time: f64| {
+            let mut by = from;
+            shift(&mut by, moves.map(|part| part * (time - opening)));
+            by
+        };
+        Carried { by: at(0.0), moves: Some(moves), middle: at(f64::midpoint(opening, closing)) }
+    }
+}
+
+/// How a path carries what goes along it.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Carried {
+    /// How far it is carried at the instant itself, from where it stands.
+    pub(super) by: Triple,
+    /// How far it moves from there in the time from 0 to 1; `None` where nothing moves while the shutter is open.
+    pub(super) moves: Option<Triple>,
+    /// How far it is carried in the middle of the time that the shutter is open.
+    middle: Triple,
 }
 
 fn component(place: &Triple, axis: usize) -> f64 {
@@ -103,14 +134,14 @@ fn component(place: &Triple, axis: usize) -> f64 {
 }
 
 /// Moves a place.
-fn shift(place: &mut Triple, by: Triple) {
+pub(super) fn shift(place: &mut Triple, by: Triple) {
     for (part, by) in place.iter_mut().zip(by) {
         *part = (*part + by).clamp(f64::MIN, f64::MAX);
     }
 }
 
 impl Description {
-    /// Returns whether anything moves.
+    /// Returns whether anything goes along a path.
     #[must_use]
     pub fn moves(&self) -> bool {
         let details = &self.details;
@@ -119,37 +150,45 @@ impl Description {
             || details.objects.values().any(|detail| detail.along.is_some())
     }
 
-    /// Returns the scene as it is at an instant of the film, 0 to 1: one in which nothing moves. At 0 it is as its statements have it.
+    /// Returns the scene as it is at an instant of the film, 0 to 1: one in which nothing goes along a path. At 0 it is as its statements have
+    /// it.
+    ///
+    /// Where the shutter has times of its own, what goes along a path has the path's velocity while it is open: it moves evenly from where
+    /// the path is when the shutter opens to where it is when it closes.
     ///
     /// A camera that would stand in the place that it looks at keeps its direction. Textures stay where they are.
     #[must_use]
     pub fn at(&self, instant: f64) -> Self {
         let mut scene = self.clone();
-        let paths = core::mem::take(&mut scene.details.paths);
-        let moved = |name: &str| {
-            let path = paths.iter().find(|path| path.name == name);
-            path.map_or([0.0; 3], |path| path.moved(instant))
-        };
+        scene.details.paths.clear();
+        let carried = |path: &str| self.carried(path, instant);
         if let Some(Journey { path, aim }) = scene.details.journey.take() {
-            shift(&mut scene.camera.eye, moved(&path));
-            let view = aim.map(|aim| difference(aim, scene.camera.eye));
+            let Carried { by, moves, middle } = carried(&path);
+            let seen_from = |mut eye: Triple| {
+                shift(&mut eye, middle);
+                eye
+            };
+            let view = aim.map(|aim| difference(aim, seen_from(scene.camera.eye)));
+            shift(&mut scene.camera.eye, by);
+            add(&mut scene.optics.moves, moves);
             if let Some(view) = view.filter(|view| unit(*view).is_some()) {
                 scene.camera.view = view;
             }
         }
         for (number, path) in core::mem::take(&mut scene.details.lamp_paths) {
-            let by = moved(&path);
-            if let Some(lamp) = scene.lamps.get_mut(number) {
-                shift(&mut lamp.position, by);
-            }
-            if let Some(LampShape::Area { corner, .. }) = scene.details.lamps.get_mut(&number) {
-                shift(corner, by);
+            let Carried { by, moves, .. } = carried(&path);
+            scene.shift_lamp(number, by);
+            if let Some(moves) = moves {
+                let all = scene.details.lamp_moves.entry(number).or_default();
+                shift(all, moves);
             }
         }
         let mut details = core::mem::take(&mut scene.details.objects);
         for (object, detail) in &mut details {
             if let Some(path) = detail.along.take() {
-                scene.shift(*object, moved(&path));
+                let Carried { by, moves, .. } = carried(&path);
+                scene.shift(*object, by);
+                add(&mut detail.moves, moves);
             }
         }
         details.retain(|_, detail| *detail != Default::default());
@@ -157,85 +196,26 @@ impl Description {
         scene
     }
 
-    /// Returns whether something moves while the shutter is open.
-    #[must_use]
-    pub fn has_motion(&self) -> bool {
-        self.details.objects.values().any(|detail| detail.moves.is_some())
+    /// Returns how a path carries what goes along it at an instant.
+    pub(super) fn carried(&self, path: &str, instant: f64) -> Carried {
+        let path = self.details.paths.iter().find(|own| own.name == path);
+        path.map_or(Carried::default(), |path| path.carried(instant, self.optics.shutter))
     }
 
-    /// Returns when the shutter opens and closes: from 0 to 1 where nothing is said.
-    fn shutter(&self) -> [f64; 2] {
-        self.optics.shutter.unwrap_or([0.0, 1.0])
-    }
-
-    /// Returns the scene as it is in the middle of the time that the shutter is open, from -1/2 to 1/2.
-    #[must_use]
-    pub fn in_the_middle(&self) -> Self {
-        let mut scene = self.clone();
-        let [opening, closing] = self.shutter();
-        for (&object, detail) in &self.details.objects {
-            if let Some(moves) = detail.moves {
-                scene.shift(object, moves.map(|c| c * f64::midpoint(opening, closing)));
-            }
+    /// Moves a lamp, by its number from 0.
+    pub(super) fn shift_lamp(&mut self, number: usize, by: Triple) {
+        if let Some(lamp) = self.lamps.get_mut(number) {
+            shift(&mut lamp.position, by);
         }
-        for moves in scene.details.objects.values_mut().filter_map(|detail| detail.moves.as_mut()) {
-            moves.iter_mut().for_each(|c| *c *= closing - opening);
+        if let Some(LampShape::Area { corner, .. }) = self.details.lamps.get_mut(&number) {
+            shift(corner, by);
         }
-        scene.optics.shutter = Some([-0.5, 0.5]);
-        scene
     }
+}
 
-    /// Returns the scene as it is in the middle of the time that the shutter is open, in which nothing moves.
-    #[must_use]
-    pub fn stopped(&self) -> Self {
-        let mut scene = self.in_the_middle();
-        scene.details.objects.values_mut().for_each(|detail| detail.moves = None);
-        scene
-    }
-
-    /// Returns how far an object is moved when the shutter opens and when it closes.
-    pub(crate) fn swept(&self, object: Object) -> Option<[Triple; 2]> {
-        let moves = self.details.objects.get(&object)?.moves?;
-        Some(self.shutter().map(|time| moves.map(|c| c * time)))
-    }
-
-    /// Returns the places of an object that move with it: its centre, the ends of its axis, or its corners.
-    pub(crate) fn places(&self, object: Object) -> Vec<Triple> {
-        let place = |number: u32| usize::try_from(number).unwrap_or(usize::MAX);
-        match object {
-            Object::Ellipsoid(i) => self.ellipsoids.get(place(i)).map(|own| vec![own.position]),
-            Object::Sphere(i) => self.spheres.get(place(i)).map(|own| vec![own.position]),
-            Object::Cylinder(i) => {
-                self.cylinders.get(place(i)).map(|own| vec![[own.position[0], own.position[1], 0.0]])
-            }
-            Object::Plane(i) => self.planes.get(place(i)).map(|own| vec![own.point]),
-            Object::Cone(i) => self.cones.get(place(i)).map(|own| vec![own.base, own.apex]),
-            Object::Triangle(i) => self.triangles.get(place(i)).map(|own| own.vertices.to_vec()),
-            _ => None,
-        }
-        .unwrap_or_default()
-    }
-
-    /// Moves an object.
-    fn shift(&mut self, object: Object, by: Triple) {
-        let place = |number: u32| usize::try_from(number).unwrap_or(usize::MAX);
-        let one = |object: Option<&mut Triple>| object.map_or((), |object| shift(object, by));
-        match object {
-            Object::Ellipsoid(i) => one(self.ellipsoids.get_mut(place(i)).map(|own| &mut own.position)),
-            Object::Sphere(i) => one(self.spheres.get_mut(place(i)).map(|own| &mut own.position)),
-            Object::Cylinder(i) => one(self.cylinders.get_mut(place(i)).map(|own| &mut own.position)),
-            Object::Plane(i) => one(self.planes.get_mut(place(i)).map(|own| &mut own.point)),
-            Object::Cone(i) => {
-                if let Some(own) = self.cones.get_mut(place(i)) {
-                    shift(&mut own.base, by);
-                    shift(&mut own.apex, by);
-                }
-            }
-            Object::Triangle(i) => {
-                let own = self.triangles.get_mut(place(i));
-                own.into_iter().flat_map(|own| &mut own.vertices).for_each(|vertex| shift(vertex, by));
-            }
-            _ => {}
-        }
+/// Adds how far something moves along a path to how far it moves besides.
+fn add(all: &mut Option<Triple>, moves: Option<Triple>) {
+    if let Some(moves) = moves {
+        shift(all.get_or_insert_default(), moves);
     }
 }

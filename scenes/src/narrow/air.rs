@@ -9,8 +9,8 @@ use rta_core::scalar::{Light, Scalar};
 use rta_core::scene::Sky;
 use rta_core::vector::Vec3;
 
-use super::Narrow;
-use super::check::exponent;
+use super::check::{Checker, exponent};
+use super::{Narrow, NarrowError};
 use crate::description::{Air, Attenuation, Fading, Medium};
 
 /// How light fades around a model, chosen when the program runs.
@@ -26,7 +26,7 @@ impl<S: Scalar> air::Air<S> for Layer<S> {
     fn passage<N: Needs>(
         &self,
         way: &Way<S>,
-        length: S,
+        length: Option<S>,
         lit: impl FnMut(Vec3<S>, usize) -> S::Unit,
     ) -> Option<Passage<S, Rgb<S::Unit>>> {
         match self {
@@ -45,6 +45,20 @@ const MOST_PLACES: u32 = 4096;
 
 /// The most forward or backward that a medium scatters.
 const MOST_FORWARD: f64 = 0.9;
+
+/// The most that a medium may take of light over its reach: what is left is e to the power of minus this.
+const MOST_DEPTH: f64 = 1023.0;
+
+/// Checks the reach of a medium: its optical depth.
+pub(super) fn check_reach<S: Narrow>(air: &Air) -> Result<(), NarrowError> {
+    let Some((medium, reach)) = air.medium.and_then(|medium| Some((medium, medium.reach?))) else {
+        return Ok(());
+    };
+    let densest = medium.extinction.into_iter().fold(0.0, f64::max);
+    let check = Checker::<S>::named("the medium");
+    check.at_most("the reach", reach, S::largest())?;
+    check.at_most("the extinction times the reach", densest * reach, MOST_DEPTH).map(|_| ())
+}
 
 /// Returns the layers of air for a scene with that sky and ambient light, under a model whose lamps fade with the distance or do not;
 /// `middle` is the length of the ray in the middle of its
@@ -73,7 +87,7 @@ pub fn layers<S: Narrow>(
             }
         }
     });
-    let medium = air.medium.map(|Medium { extinction, albedo, anisotropy, shadows }| {
+    let medium = air.medium.map(|Medium { extinction, albedo, anisotropy, shadows, reach }| {
         let [r, g, b] = extinction.map(|s| <S as Narrow>::power(s * core::f64::consts::LOG2_E));
         let (albedo, forward) = (S::unit(albedo), S::unit(anisotropy.clamp(-MOST_FORWARD, MOST_FORWARD)));
         let places = shadows.clamp(FEWEST_PLACES, MOST_PLACES).next_power_of_two();
@@ -83,6 +97,7 @@ pub fn layers<S: Narrow>(
             phase: Phase { forward },
             halvings: u8::try_from(places.ilog2()).unwrap_or(u8::MAX),
             shadows: shadows > 0,
+            reach: reach.map(|reach| length(reach.max(S::SMALLEST_RADIUS))),
             fades,
         }
     });

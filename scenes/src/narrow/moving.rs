@@ -5,7 +5,8 @@ use rta_core::accelerator::Accelerator;
 use rta_core::light::Lamp;
 use rta_core::scene::{Copies, Limits, Object, Scene};
 use rta_core::shape::{Cone, Cylinder, Ellipsoid, Plane, Sphere, Triangle};
-use rta_core::trace::moving::{Motion, Room};
+use rta_core::trace::moving::{Motion, Room, moved};
+use rta_core::vector::Vec3;
 
 use super::check::Checker;
 use super::{Narrow, NarrowError, Narrowed};
@@ -13,23 +14,34 @@ use crate::description::Description;
 
 /// Returns how the objects of a scene move, which is as it is in the [middle](Description::in_the_middle) of the time.
 pub(super) fn motions<S: Narrow>(description: &Description) -> Result<Vec<Motion<S>>, NarrowError> {
-    let moves =
-        |(&object, detail): (&Object, &crate::description::Detail)| detail.moves.map(|by| (object, by));
-    let moving = description.details.objects.iter().filter_map(moves);
+    let details = &description.details;
+    let objects = details.objects.iter().filter_map(|(&object, detail)| Some((object, detail.moves?)));
+    let lamp = |(&number, &by): (&usize, &[f64; 3])| Some((Object::Lamp(u32::try_from(number).ok()?), by));
+    let lamps = details.lamp_moves.iter().filter_map(lamp);
     let check = Checker::<S>::named("the motion of an object");
-    let one = |(object, by): (Object, [f64; 3])| {
+    let one = |(object, by)| {
         let motion = Motion { object, by: check.place(by, 0.0)? };
-        // Where it is when the shutter opens and when it closes.
-        for place in description.places(object) {
-            for half in [-0.5, 0.5] {
-                let mut end = place;
-                end.iter_mut().zip(by).for_each(|(c, by)| *c += half * by);
-                check.place(end, 0.0)?;
-            }
-        }
+        description.places(object).into_iter().try_for_each(|place| ends(&check, place, by))?;
         Ok(motion)
     };
-    moving.map(one).collect()
+    objects.chain(lamps).map(one).collect()
+}
+
+/// Returns how far the eye moves, if it does.
+pub(super) fn eye<S: Narrow>(description: &Description) -> Result<Option<Vec3<S>>, NarrowError> {
+    let Some(by) = description.optics.moves else { return Ok(None) };
+    let check = Checker::<S>::named("the motion of the eye");
+    ends(&check, description.camera.eye, by)?;
+    check.place(by, 0.0).map(Some)
+}
+
+/// Checks where a place is when the shutter opens and when it closes.
+fn ends<S: Narrow>(check: &Checker<S>, place: [f64; 3], by: [f64; 3]) -> Result<(), NarrowError> {
+    [-0.5, 0.5].into_iter().try_for_each(|half| {
+        let mut end = place;
+        end.iter_mut().zip(by).for_each(|(c, by)| *c += half * by);
+        check.place(end, 0.0).map(|_| ())
+    })
 }
 
 /// Proves that a scene, searched by an accelerator, fits its format: from all of its lens, and as long as the shutter is open.
@@ -52,7 +64,7 @@ pub(crate) fn proved<S: Narrow, A: Accelerator<S> + Copy>(
 impl<S: Narrow> Narrowed<S> {
     /// Returns the scene as it is when the shutter opens and when it closes; nothing where nothing moves.
     fn ends(&self) -> Vec<Self> {
-        if self.spreads.motions.is_empty() {
+        if self.spreads.motions.is_empty() && self.spreads.eye.is_none() {
             return Vec::new();
         }
         let half = S::unit(0.5);
@@ -62,6 +74,9 @@ impl<S: Narrow> Narrowed<S> {
                 let Self { cylinders, ellipsoids, spheres, cones, triangles, planes, lamps, .. } = &mut end;
                 let mut copies = Copies { cylinders, ellipsoids, spheres, cones, triangles, planes, lamps };
                 self.spreads.motions.iter().for_each(|motion| motion.put(&mut copies, &self.scene(), time));
+                if let Some(by) = self.spreads.eye {
+                    end.camera.eye = end.camera.eye + moved::<S>(by, time);
+                }
                 end
             })
             .into()

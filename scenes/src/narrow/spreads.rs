@@ -4,10 +4,11 @@ use rta_core::camera::{Aperture, Camera};
 use rta_core::light::area::Square;
 use rta_core::trace::dice::Spread;
 use rta_core::trace::moving::Motion;
-use rta_core::vector::{UnitVector, Vector};
+use rta_core::vector::{UnitVector, Vec3, Vector};
 
 use super::check::Checker;
-use super::moving::motions;
+use super::moving::{eye, motions};
+use super::variant::Options;
 use super::{Narrow, NarrowError, Narrowed};
 use crate::description::{Description, LampShape, Material};
 use crate::sampler::Spreading;
@@ -26,12 +27,14 @@ pub struct Spreads<S: Narrow> {
     pub bodies: Vec<u32>,
     /// What moves while the shutter is open.
     pub motions: Vec<Motion<S>>,
+    /// How far the eye moves while it is.
+    pub eye: Option<Vec3<S>>,
 }
 
 impl<S: Narrow> Narrowed<S> {
     /// Returns what spreads, borrowed, where lamps are asked as `asked` says.
     pub fn spread(&self, asked: &Spreading) -> Spread<'_, S> {
-        let Spreads { squares, aperture, roughness, bodies, .. } = &self.spreads;
+        let Spreads { squares, aperture, roughness, bodies, eye, .. } = &self.spreads;
         Spread {
             lamps: asked.lamps,
             split: asked.split,
@@ -40,6 +43,7 @@ impl<S: Narrow> Narrowed<S> {
             roughness,
             bodies,
             indirect: self.lit.as_ref().and_then(|lit| lit.indirect(&self.scene())),
+            eye: *eye,
         }
     }
 }
@@ -55,10 +59,16 @@ impl<S: Narrow> Spreads<S> {
             let LampShape::Area { corner, edges } = shape else { continue };
             let line = description.lamps.get(number).map_or(0, |lamp| lamp.line);
             squares.resize(number, None);
-            squares.push(Some(square(&Checker::new("lamp", number, line), *corner, *edges)?));
+            let check = Checker::new("lamp", number, line);
+            let middle = description.lamps.get(number).map_or(*corner, |lamp| lamp.position);
+            let middle = check.place(middle, 0.0)?;
+            squares.push(Some(square(&check, (*corner, middle), *edges)?));
         }
-        let mut roughness: Vec<_> = said.iter().map(|own| S::unit(own.roughness.unwrap_or(0.0))).collect();
-        let rough = said.iter().rposition(|own| own.roughness.is_some_and(|roughness| roughness > 0.0));
+        let options = Options::of(description);
+        let roughness = said.iter().map(|own| own.roughness.or_else(|| options.lobe(description.model, own)));
+        let roughness: Vec<_> = roughness.map(|own| own.unwrap_or(0.0)).collect();
+        let rough = roughness.iter().rposition(|own| *own > 0.0);
+        let mut roughness: Vec<_> = roughness.into_iter().map(S::unit).collect();
         roughness.truncate(rough.map_or(0, |last| last + 1));
         Ok(Self {
             squares,
@@ -66,6 +76,7 @@ impl<S: Narrow> Spreads<S> {
             roughness,
             bodies: bodies(description),
             motions: motions(description)?,
+            eye: eye::<S>(description)?,
         })
     }
 }
@@ -87,7 +98,7 @@ fn bodies(description: &Description) -> Vec<u32> {
 
 fn square<S: Narrow>(
     check: &Checker<S>,
-    corner: [f64; 3],
+    (corner, middle): ([f64; 3], Vec3<S>),
     edges: [[f64; 3]; 2],
 ) -> Result<Square<S>, NarrowError> {
     let far = |by: &[[f64; 3]]| {
@@ -105,6 +116,7 @@ fn square<S: Narrow>(
     let least = S::length((length(area).sqrt() / 64.0).max(S::SMALLEST_RADIUS));
     Ok(Square {
         corner,
+        middle,
         edges: ends.map(|end| end - corner),
         normal: Vector::new(x, y, z),
         least: (least, least.inverse()),

@@ -58,13 +58,13 @@ impl Options {
     }
 
     /// Returns the numbers of an option of a model, if it is given.
-    fn numbers(&self, model: Model, name: &str) -> Option<&[f64]> {
+    pub(super) fn numbers(&self, model: Model, name: &str) -> Option<&[f64]> {
         let own = self.options.iter().filter(|_| self.model == Some(model));
         own.into_iter().find(|option| option.name == name).map(|option| option.numbers.as_slice())
     }
 
     /// Returns the number of an option of a model, if it is given with one.
-    fn number(&self, model: Model, name: &str) -> Option<f64> {
+    pub(super) fn number(&self, model: Model, name: &str) -> Option<f64> {
         self.numbers(model, name)?.first().copied()
     }
 

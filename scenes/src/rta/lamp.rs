@@ -30,7 +30,7 @@ impl<'a> Reader<'a> {
             Lamp { position: [0.0; 3], color, radius: said.number("radius").unwrap_or(0.0), fall_off, line };
         let number = self.scene.lamps.len();
         let lamp = if let Some(toward) = said.part("toward") {
-            self.refuse_beside(said, "toward", &["radius", "square", "along"])?;
+            self.refuse_beside(said, "toward", &["radius", "square", "along", "moves"])?;
             let direction = toward.numbers(0);
             if unit(direction).is_none() {
                 let expected = "the lamp's direction (not zero)";
@@ -53,6 +53,9 @@ impl<'a> Reader<'a> {
         };
         if let Some(path) = self.along(said)? {
             self.scene.details.lamp_paths.insert(number, path);
+        }
+        if let Some(moves) = said.triple("moves") {
+            self.scene.details.lamp_moves.insert(number, moves);
         }
         self.scene.lamps.push(lamp);
         Ok(())

@@ -22,11 +22,24 @@ const OPTIONS: &[(&str, &[Choice])] = &[
     ("newell", &[("edge", EDGE)]),
     (
         "blinn-full",
-        &[("power", &[FACETS]), ("gauss", POSITIVE), ("trowbridge", &[Range::Part]), ("gloss", GLOSS)],
+        &[
+            ("power", &[FACETS]),
+            ("gauss", POSITIVE),
+            ("trowbridge", &[Range::Part]),
+            ("gloss", GLOSS),
+            ("lobes", &[]),
+        ],
     ),
     (
         "cook-torrance",
-        &[("sancer", &[]), ("exact", &[]), ("published", &[]), ("mirror", &[Range::Share]), ("gloss", GLOSS)],
+        &[
+            ("sancer", &[]),
+            ("exact", &[]),
+            ("published", &[]),
+            ("mirror", &[Range::Share]),
+            ("gloss", GLOSS),
+            ("lobes", &[]),
+        ],
     ),
     ("hall-greenberg", &[("cutoff", &[Range::Share])]),
 ];

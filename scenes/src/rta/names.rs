@@ -95,6 +95,7 @@ impl Description {
         details.objects.values_mut().for_each(|detail| detail.along = detail.along.take().filter(is_path));
         let is_distant = |number: &usize| matches!(details.lamps.get(number), Some(LampShape::Toward(_)));
         details.lamp_paths.retain(|number, path| *number < lamps && is_path(path) && !is_distant(number));
+        details.lamp_moves.retain(|number, _| *number < lamps && !is_distant(number));
         details.journey = details.journey.take().filter(|journey| is_path(&journey.path));
         if let Some(journey) = &mut details.journey {
             // The direction of view is that to the aim.
@@ -123,9 +124,6 @@ impl Description {
             };
             if !matches!(object, Object::Triangle(_)) {
                 (detail.shading, detail.uv) = Default::default();
-            }
-            if matches!(object, Object::Plane(_)) {
-                detail.moves = None;
             }
             usize::try_from(number).is_ok_and(|number| number < most) && *detail != Default::default()
         });

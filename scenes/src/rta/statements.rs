@@ -23,6 +23,12 @@ const OF: Part = may("of", &[V("material", Name(A_MATERIAL))], "its material").d
 const ALONG: Part =
     may("along", &[V("path", Name(A_PATH))], "the path that it moves along in a film, from where it stands");
 
+const MOVES: Part = may(
+    "moves",
+    &[V("motion", Vector(Any))],
+    "how far it moves in the time from 0 to 1, in which the shutter is open",
+);
+
 const fn once(
     keyword: &'static str,
     noun: &'static str,
@@ -67,6 +73,7 @@ const ONCE: &[Statement] = &[
                 "when it opens and closes, for what moves",
             )
             .default("0 1"),
+            MOVES,
             may(
                 "hither",
                 &[V("hither", Number(Positive))],
@@ -138,6 +145,8 @@ const ONCE: &[Statement] = &[
                 .default("0"),
             may("shadows", &[V("shadows", Whole(0, 1024))], "places of a ray that ask for shadows")
                 .default("0"),
+            may("reach", &[V("reach", Number(Positive))], "how far it reaches from where a ray starts")
+                .default("up to what a ray meets, if it meets anything"),
         ],
     ),
     once(

@@ -55,6 +55,7 @@ impl<'a> Reader<'a> {
             aperture: said.number("aperture"),
             shutter: said.part("shutter").map(|shutter| shutter.numbers(0)),
             hither: said.number("hither"),
+            moves: said.triple("moves"),
         };
         let along = self.along(said)?;
         self.scene.details.journey = along.map(|path| Journey { path, aim: said.triple("to") });
@@ -131,8 +132,7 @@ impl<'a> Reader<'a> {
             "none" => return Ok(()),
             "fog" => {
                 let extinction = if given == 1 { [part.number(1); 3] } else { part.numbers(1) };
-                let fog = Medium { extinction, albedo: 0.0, anisotropy: 0.0, shadows: 0 };
-                return self.fill(said, fog);
+                return self.fill(said, Medium::fog(extinction));
             }
             "warnock" => Fading::Warnock,
             "romney" => Fading::Romney(if given == 0 { 4.0 } else { part.number(1) }),
@@ -164,6 +164,7 @@ impl<'a> Reader<'a> {
             albedo: said.number("albedo").unwrap_or(1.0),
             anisotropy: said.number("anisotropy").unwrap_or(0.0),
             shadows: said.whole("shadows").unwrap_or(0),
+            reach: said.number("reach"),
         };
         self.fill(said, medium)
     }

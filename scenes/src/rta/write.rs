@@ -57,6 +57,7 @@ impl Description {
         words.maybe(optics.focus, |words, focus| words.number("focus", focus));
         words.maybe(optics.aperture, |words, aperture| words.number("aperture", aperture));
         words.maybe(optics.shutter, |words, times| words.numbers("shutter", &times));
+        words.maybe(optics.moves, |words, moves| words.vector("moves", moves));
         words.maybe(optics.hither, |words, hither| words.number("hither", hither));
         words.end(text);
         let settings = &self.settings;
@@ -99,6 +100,7 @@ impl Description {
             let mut words = Words::new("medium");
             words.vector("extinction", medium.extinction).number("albedo", medium.albedo);
             words.number("anisotropy", medium.anisotropy).number("shadows", medium.shadows.into());
+            words.maybe(medium.reach, |words, reach| words.number("reach", reach));
             words.end(text);
         }
     }
@@ -153,6 +155,7 @@ impl Description {
                 }
             }
             words.maybe(self.details.lamp_paths.get(&number), |words, path| words.name("along", path));
+            words.maybe(self.details.lamp_moves.get(&number), |words, moves| words.vector("moves", *moves));
             words.end(text);
         }
     }

@@ -199,10 +199,14 @@ fn air() -> impl Strategy<Value = Air> {
     ];
     let attenuation = (fading, maybe(positive()), maybe(color()))
         .prop_map(|(fading, from, color)| Attenuation { fading, from, color });
-    let medium =
-        (color(), 0.0..=1.0, -0.9..=0.9, 0..=64_u32).prop_map(|(extinction, albedo, anisotropy, shadows)| {
-            Medium { extinction, albedo, anisotropy, shadows }
-        });
+    let medium = (color(), 0.0..=1.0, -0.9..=0.9, 0..=64_u32, maybe(positive()));
+    let medium = medium.prop_map(|(extinction, albedo, anisotropy, shadows, reach)| Medium {
+        extinction,
+        albedo,
+        anisotropy,
+        shadows,
+        reach,
+    });
     (maybe(attenuation), maybe(medium)).prop_map(|(attenuation, medium)| Air { attenuation, medium })
 }
 
@@ -233,13 +237,14 @@ fn details() -> impl Strategy<Value = Details> {
     });
     let journey = (path_name(), maybe(place())).prop_map(|(path, aim)| Journey { path, aim });
     let lamp_paths = prop::collection::btree_map(0..4_usize, path_name(), 0..3);
-    let moves = (maybe(path), maybe(journey), lamp_paths);
+    let lamp_moves = prop::collection::btree_map(0..4_usize, place(), 0..3);
+    let moves = (maybe(path), maybe(journey), lamp_paths, lamp_moves);
     let file = maybe("[a-zA-Z #/.é]{0,9}");
     (prop::collection::btree_map(object, detail, 0..5), maybe(positive()), file, moves).prop_map(
-        |(objects, tile, sky_map, (path, journey, lamp_paths))| {
+        |(objects, tile, sky_map, (path, journey, lamp_paths, lamp_moves))| {
             let second = path.clone().map(|path| Path { name: "b-2".into(), ..path });
             let paths = path.into_iter().chain(second).collect();
-            Details { objects, tile, sky_map, paths, journey, lamp_paths, ..Details::default() }
+            Details { objects, tile, sky_map, paths, journey, lamp_paths, lamp_moves, ..Details::default() }
         },
     )
 }
@@ -255,8 +260,14 @@ pub(crate) fn scene() -> impl Strategy<Value = Description> {
         .prop_map(|floor| floor.map(|(first, second, surface)| Floor { colors: [first, second], surface }));
     let sky = (color(), color()).prop_map(|(horizon, zenith)| Sky { horizon, zenith });
     let shutter = maybe([-1.0..=1.0, 0.0..=1.0_f64]);
-    let optics = (maybe(positive()), maybe(positive()), shutter, maybe(positive()))
-        .prop_map(|(focus, aperture, shutter, hither)| Optics { focus, aperture, shutter, hither });
+    let optics = (maybe(positive()), maybe(positive()), shutter, maybe(positive()), maybe(place()));
+    let optics = optics.prop_map(|(focus, aperture, shutter, hither, moves)| Optics {
+        focus,
+        aperture,
+        shutter,
+        hither,
+        moves,
+    });
     let materials = prop::collection::vec(material(), 0..6);
     let raster = maybe([1..=2000_u32, 1..=2000_u32]);
     let around = (floor, sky, color(), optics, raster);

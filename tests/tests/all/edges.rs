@@ -85,8 +85,14 @@ fn ask<S: Measure>(model: &AnyModel<S>, point: &Point<S>, lamps: &[Lamp<S>], cas
     for kind in [RayKind::Primary, RayKind::Reflected, RayKind::Transmitted] {
         for length in [None, Some(S::ZERO), Some(S::length(1.0)), Some(S::length(S::largest()))] {
             let start = Start { origin, direction: surface.incoming };
-            let way =
-                rta_core::illumination::Way { kind, start, length, surface: Some(&surface), lamps: &[] };
+            let way = rta_core::illumination::Way {
+                kind,
+                start,
+                length,
+                surface: Some(&surface),
+                shift: None,
+                lamps: &[],
+            };
             if let Some(passage) = model.along::<Everything>(&way, |_, _| S::Unit::ONE) {
                 assert_shares::<S>(passage.weight, case);
                 assert_light::<S>(passage.veil, 1.0 + 4.0 * S::LIGHT, case);

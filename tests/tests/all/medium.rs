@@ -51,6 +51,7 @@ fn veil<S: Narrow>(case: &Case) -> [f64; 3] {
         phase: Phase { forward: S::unit(case.forward) },
         halvings: 8,
         shadows: case.shadow.is_some(),
+        reach: None,
         fades: false,
     };
     let lamp = Lamp::new(
@@ -63,12 +64,19 @@ fn veil<S: Narrow>(case: &Case) -> [f64; 3] {
     let zero = S::unit(0.0);
     let start = Start { origin: vector::<S>([0.0; 3]), direction: Vector::new(zero, one, zero) };
     let length = S::length(case.length);
-    let way = Way { kind: RayKind::Primary, start, length: Some(length), surface: None, lamps: &lamps };
+    let way = Way {
+        kind: RayKind::Primary,
+        start,
+        length: Some(length),
+        surface: None,
+        shift: None,
+        lamps: &lamps,
+    };
     let lit = |place: Vec3<S>, _| {
         let is_dark = case.shadow.is_some_and(|shadow| place.y().to_f64() > shadow);
         if is_dark { zero } else { one }
     };
-    let passage = medium.passage::<Everything>(&way, length, lit).expect("it does something");
+    let passage = medium.passage::<Everything>(&way, Some(length), lit).expect("it does something");
     let Rgb { r, g, b } = passage.veil.map(S::light_to_f64);
     [r, g, b]
 }

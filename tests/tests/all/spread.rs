@@ -56,7 +56,7 @@ fn draw<S: Narrow, M: Illumination<S> + Copy, A: Accelerator<S>, N: Needs, R: Ro
     let tracer: Tracer<_, _, N, STACK, _> =
         Tracer::new(scene, model, DEPTH).expect("the stack is deep enough");
     let still = Distributed { tracer, spread, seed: samples.seed() };
-    if motions.is_empty() {
+    if motions.is_empty() && spread.eye.is_none() {
         return picture(&still, camera, samples);
     }
     picture(&Moving { still, motions, room: PhantomData::<fn() -> R> }, camera, samples)

@@ -23,9 +23,10 @@ impl<S: Scalar> Air<S> for Distance<S> {
     fn passage<N: Needs>(
         &self,
         way: &Way<S>,
-        length: S,
+        length: Option<S>,
         _lit: impl FnMut(Vec3<S>, usize) -> S::Unit,
     ) -> Option<Passage<S, Rgb<S::Unit>>> {
+        let length = length?;
         let is_seen = way.kind == RayKind::Primary && length > self.reference;
         let part = is_seen.then(|| fade(length, self.reference, self.exponent))?;
         Some(Passage { weight: Rgb::new(part, part, part), veil: Rgb::BLACK })

@@ -20,7 +20,7 @@ impl<S: Scalar> Air<S> for Fog<S> {
     fn passage<N: Needs>(
         &self,
         way: &Way<S>,
-        _length: S,
+        _length: Option<S>,
         _lit: impl FnMut(Vec3<S>, usize) -> S::Unit,
     ) -> Option<Passage<S, Rgb<S::Unit>>> {
         let Passage { weight, .. } = way.absorbed(self.density)?;

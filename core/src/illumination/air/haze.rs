@@ -24,10 +24,10 @@ impl<S: Scalar> Air<S> for Haze<S> {
     fn passage<N: Needs>(
         &self,
         _way: &Way<S>,
-        length: S,
+        length: Option<S>,
         _lit: impl FnMut(Vec3<S>, usize) -> S::Unit,
     ) -> Option<Passage<S, Rgb<S::Unit>>> {
-        let hidden = haze(length, self.near, self.far);
+        let hidden = haze(length?, self.near, self.far);
         let left = S::Unit::ONE - hidden;
         (hidden > S::Unit::ZERO).then(|| Passage {
             weight: Rgb::new(left, left, left),

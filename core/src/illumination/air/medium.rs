@@ -15,7 +15,9 @@ use crate::scalar::{Light, Magnitude, Positive, Scalar, Unit};
 /// its way from a lamp that fades with the distance too, not from one that is constant.
 ///
 /// Light is taken at places along the ray, for each lamp; with shadows, a shadow ray goes from each of them where the ray comes from the eye.
-/// Reflected and transmitted rays, whose light is a part only of what is seen, do without.
+/// Reflected and transmitted rays, whose light is a part only of what is seen, do without. Where rays are
+/// [distributed](crate::trace::Distributed), all of these places are shifted together within their steps, by as much for each sample, so that
+/// the edges of beams have no steps in the mean, and the shadow rays go to a place on the lamp.
 #[derive(Clone, Copy, Debug)]
 pub struct Medium<S: Scalar> {
     /// What it takes from a ray, and the ambient light that it scatters.
@@ -28,6 +30,9 @@ pub struct Medium<S: Scalar> {
     pub halvings: u8,
     /// Whether things cast shadows into it that the eye sees.
     pub shadows: bool,
+    /// How far the medium reaches from where a ray starts, above 0: what is farther away has no more of it before it, and a ray that meets
+    /// nothing passes through so much. Without it, a ray passes through the medium up to what it meets, and through none if it meets nothing.
+    pub reach: Option<S>,
     /// Whether lamps that do not say it themselves become less with the distance: the model's
     /// [`ATTENUATION`](crate::illumination::Illumination::ATTENUATION).
     pub fades: bool,
@@ -48,14 +53,26 @@ impl<S: Scalar> Air<S> for Medium<S> {
     fn passage<N: Needs>(
         &self,
         way: &Way<S>,
-        length: S,
+        length: Option<S>,
         mut lit: impl FnMut(Vec3<S>, usize) -> S::Unit,
     ) -> Option<Passage<S, Rgb<S::Unit>>> {
-        let passage = self.fog.passage::<N>(way, length, &mut lit)?;
+        let length = match self.reach {
+            Some(reach) if N::AIR_REACH => length.filter(|length| *length < reach).unwrap_or(reach),
+            _ => length?,
+        };
+        let cut;
+        let way = if N::AIR_REACH && self.reach.is_some() {
+            cut = Way { length: Some(length), ..*way };
+            &cut
+        } else {
+            way
+        };
+        let passage = self.fog.passage::<N>(way, Some(length), &mut lit)?;
         if self.albedo <= S::Unit::ZERO || length <= S::ZERO {
             return Some(passage);
         }
         let has_shadows = self.shadows && way.kind == RayKind::Primary;
+        let shift = way.shift.filter(|_| N::SPREAD_AIR && has_shadows);
         let lamps = way.lamps.iter().enumerate();
         let veil = lamps.fold(passage.veil, |veil, (number, lamp)| {
             // The part of the lamp's light that arrives at a place and is scattered into the ray, by the cosine of the angle between the
@@ -65,9 +82,9 @@ impl<S: Scalar> Air<S> for Medium<S> {
                 if has_shadows { scattered.times(lit(place, number).positive()) } else { scattered }
             };
             let beam = if lamp.fall_off.fades(self.fades) {
-                self.near(way, length, lamp, &mut part)
+                self.near(way, (length, shift), lamp, &mut part)
             } else {
-                self.constant(way, length, lamp, &mut part)
+                self.constant(way, (length, shift), lamp, &mut part)
             };
             let light = |beam: S::Power, tint: S::Unit| {
                 S::intensity(beam.times(tint.positive()).times(self.albedo.positive()))
@@ -90,7 +107,7 @@ impl<S: Scalar> Medium<S> {
     fn near(
         &self,
         way: &Way<S>,
-        length: S,
+        (length, shift): (S, Option<S::Unit>),
         lamp: &Lamp<S>,
         part: &mut impl FnMut(Vec3<S>, S::Unit) -> S::Power,
     ) -> Rgb<S::Power> {
@@ -105,10 +122,14 @@ impl<S: Scalar> Medium<S> {
         let sight = Sight::<S>::new(height, -foot, end, self.halvings);
         let none = S::ZERO.positive();
         let mut sum = Rgb::new(none, none, none);
-        sight.places(&mut |along, away| {
+        let mut see = |along: S::Power, away: Option<S::Power>| {
             let distance = at(length, along);
             let ahead = foot - distance;
             let is_behind = ahead < S::ZERO;
+            let away = away.unwrap_or_else(|| {
+                let (across, ahead) = (height.positive(), if is_behind { -ahead } else { ahead }.positive());
+                across.times(across).plus(ahead.times(ahead)).root()
+            });
             let cosine = if is_behind { -ahead } else { ahead }.positive().over(away).unit();
             let cosine = if cosine > S::Unit::ONE { S::Unit::ONE } else { cosine };
             let place = way.start.origin.along(way.start.direction, distance);
@@ -116,7 +137,11 @@ impl<S: Scalar> Medium<S> {
             let whole = along.plus(away);
             let here = self.registers(|density| part.times(density.times(whole).exp2_minus().positive()));
             sum = sum.zip(here, Positive::plus);
-        });
+        };
+        match shift {
+            Some(shift) => sight.shifted(shift, &mut |along| see(along, None)),
+            None => sight.places(&mut |along, away| see(along, Some(away))),
+        }
         let power = lamp.power.times(S::Power::new(LN_2, -64));
         let arrived = sum.zip(self.fog.density, |sum, density| sight.integral(sum).times(density));
         arrived.map(|part| part.times(power))
@@ -126,7 +151,7 @@ impl<S: Scalar> Medium<S> {
     fn constant(
         &self,
         way: &Way<S>,
-        length: S,
+        (length, shift): (S, Option<S::Unit>),
         lamp: &Lamp<S>,
         part: &mut impl FnMut(Vec3<S>, S::Unit) -> S::Power,
     ) -> Rgb<S::Power> {
@@ -143,7 +168,10 @@ impl<S: Scalar> Medium<S> {
         let mut before = left_at(0);
         for number in 0..count {
             let left = left_at(number + 1);
-            let along = width.times(S::Power::new(2 * number + 1, -1));
+            let along = match shift {
+                Some(shift) => width.times(S::Power::new(number, 0).plus(shift.positive())),
+                None => width.times(S::Power::new(2 * number + 1, -1)),
+            };
             let place = way.start.origin.along(way.start.direction, at(length, along));
             let to_lamp = (lamp.position - place).normalize();
             let cosine = to_lamp.map_or(S::Unit::ONE, |(direction, ..)| direction.dot(way.start.direction));

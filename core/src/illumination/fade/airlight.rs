@@ -58,7 +58,22 @@ impl<S: Scalar> Sight<S> {
 
     /// Calls `see` with each place: its distance from the start of the ray and that from the lamp.
     pub fn places(&self, see: &mut impl FnMut(S::Power, S::Power)) {
-        self.part.places(self.halvings, see);
+        self.part.each(self.halvings, &mut |part| {
+            let middle = part.width.times(part.start).over(part.start.plus(part.end));
+            see(part.before.plus(middle), part.middle());
+        });
+    }
+
+    /// Calls `see` with the distance from the start of the ray of one place in each of the equal parts of the angle, as far within each:
+    /// `shift` of it, 0 to 1. The mean over all shifts is the integral, but for 4th powers of a part's angle.
+    pub fn shifted(&self, shift: S::Unit, see: &mut impl FnMut(S::Power)) {
+        let (shift, rest) = (shift.positive(), (S::Unit::ONE - shift).positive());
+        self.part.each(self.halvings, &mut |part| {
+            // A line from a triangle's corner cuts the side across from it as the sides are to each other, each times the sine of its part
+            // of the angle; these are small, and nearly as their angles.
+            let (near, far) = (part.start.times(shift), part.end.times(rest));
+            see(part.before.plus(part.width.times(near).over(near.plus(far))));
+        });
     }
 
     /// Returns a quarter of the integral of `f / r^2` over the ray, for the sum of f over its places.
@@ -136,14 +151,13 @@ impl<P: Positive> Part<P> {
         twice.plus(twice).times(self.cosine)
     }
 
-    /// Calls `see` with the middle of each of `2^halvings` parts: its distance from the start of the ray and that from the lamp.
-    fn places(self, halvings: u8, see: &mut impl FnMut(P, P)) {
+    /// Calls `see` with each of `2^halvings` parts that the lamp sees as equally large.
+    fn each(self, halvings: u8, see: &mut impl FnMut(Self)) {
         if halvings == 0 {
-            let middle = self.width.times(self.start).over(self.start.plus(self.end));
-            return see(self.before.plus(middle), self.middle());
+            return see(self);
         }
         for half in self.halves() {
-            half.places(halvings - 1, see);
+            half.each(halvings - 1, see);
         }
     }
 

@@ -64,6 +64,7 @@ fn square<S: Read>() -> [f64; 2] {
     let least = S::length(1.0 / 64.0);
     let square = Square {
         corner: place::<S>([0.0, 0.0, 2.0]),
+        middle: lamp.position,
         // Their product points down.
         edges: [place::<S>([0.0, 1.0, 0.0]), place::<S>([1.0, 0.0, 0.0])],
         normal: direction::<S>([0.0, 0.0, -1.0]),
@@ -90,12 +91,30 @@ fn squares_shine_to_one_side() {
     let lamp = Lamp::white(place::<f64>([0.5, 0.5, 2.0]), 0.0, 1);
     let square = Square {
         corner: place::<f64>([0.0, 0.0, 2.0]),
+        middle: lamp.position,
         edges: [place::<f64>([0.0, 1.0, 0.0]), place::<f64>([1.0, 0.0, 0.0])],
         normal: direction::<f64>([0.0, 0.0, -1.0]),
         least: (1.0 / 64.0, 64.0),
     };
     let from = (place::<f64>([0.3, 0.2, 5.0]), -UnitVec3::<f64>::Z);
     assert!(Glimpse::of_square(&lamp, &square, from, [0.5, 0.5]).is_none());
+}
+
+#[test]
+fn squares_that_move_are_where_their_middle_is() {
+    let square = |z: f64| Square {
+        corner: place::<f64>([0.0, 0.0, z]),
+        middle: place::<f64>([0.5, 0.5, z]),
+        edges: [place::<f64>([0.0, 1.0, 0.0]), place::<f64>([1.0, 0.0, 0.0])],
+        normal: direction::<f64>([0.0, 0.0, -1.0]),
+        least: (1.0 / 64.0, 64.0),
+    };
+    let there = Lamp::white(place::<f64>([0.5, 0.5, 4.0]), 0.0, 1);
+    let from = (place::<f64>([0.3, 0.2, 1.0]), UnitVec3::<f64>::Z);
+    let [moved, built] = [square(2.0), square(4.0)].map(|square| {
+        Glimpse::of_square(&there, &square, from, [0.25, 0.75]).expect("it shines there").place
+    });
+    assert_eq!((moved.direction, moved.distance), (built.direction, built.distance));
 }
 
 #[test]

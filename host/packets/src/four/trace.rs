@@ -145,6 +145,7 @@ impl<'a, M: Illumination<f32>, const STACK: usize> Trees4<'a, M, STACK> {
             start: pending.start,
             length,
             surface: surface.as_ref(),
+            shift: None,
             lamps: scene.scene.lamps,
         };
         model.along::<N>(&way, |place, lamp| tracer.reached(place, lamp, &mut self.cache))

@@ -1,7 +1,7 @@
 //! The objects.
 
 use super::things::object;
-use super::{ALONG, OF, PLACE};
+use super::{ALONG, MOVES, OF, PLACE};
 use crate::numbers::Range::{Any, NotNegative, NotZero, Positive};
 use crate::polygon::MOST_CORNERS;
 use crate::rta::table::Kind::{Color, Number, Share, Vector, Whole};
@@ -28,11 +28,6 @@ const QUAD: &[V] = &[
 const COLOR: Part =
     may("color", &[V("colour", Color(NotNegative))], "its colour: the part of the light that it sends back")
         .default("that of its material, or white");
-const MOVES: Part = may(
-    "moves",
-    &[V("motion", Vector(Any))],
-    "how far it moves in the time from 0 to 1, in which the shutter is open",
-);
 const INSIDE: Part = may("inside", &[], "it is seen from the inside only");
 const PATCHES: Part = may(
     "patches",
@@ -181,6 +176,7 @@ pub(super) const SHAPES: &[Statement] = &[
             must("normal", &[V("normal", Vector(Any))], "its normal, of any length"),
             COLOR,
             OF,
+            MOVES,
             ALONG,
         ],
     ),

@@ -1,6 +1,6 @@
 //! Lamps, paths, textures and materials: the statements that a scene has as often as it likes, but for its objects.
 
-use super::{A_MATERIAL, A_TEXTURE, ALONG, COLORS, PLACE};
+use super::{A_MATERIAL, A_TEXTURE, ALONG, COLORS, MOVES, PLACE};
 use crate::numbers::Range::{Any, Between, Gloss, NotNegative, Part as Fraction, Positive, Share as Unit};
 use crate::rta::table::Kind::{Axis, Color, File, Name, New, Number, Offset, Share, Vector, Whole};
 use crate::rta::table::{Part, Statement, Value as V, either, may, must, one};
@@ -36,6 +36,7 @@ pub(super) const THINGS: &[Statement] = &[
             either(1, "square", &[], "its light falls with the square of the distance"),
             either(1, "constant", &[], "its light does not depend on the distance")
                 .default("as the model has it"),
+            MOVES,
             ALONG,
         ],
     ),

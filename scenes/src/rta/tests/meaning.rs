@@ -51,7 +51,8 @@ fn the_prism_is_kept_and_told_once() {
     let fading = Fading::Haze([40.0, 200.0]);
     let haze = Attenuation { fading, from: None, color: Some([0.7, 0.75, 0.8]) };
     assert_eq!(prism.air.attenuation, Some(haze));
-    let medium = Medium { extinction: [0.01, 0.01, 0.012], albedo: 0.9, anisotropy: 0.0, shadows: 16 };
+    let medium =
+        Medium { extinction: [0.01, 0.01, 0.012], albedo: 0.9, anisotropy: 0.0, shadows: 16, reach: None };
     assert_eq!(prism.air.medium, Some(medium));
     let (lamp, edges) = (&prism.lamps[0], [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]);
     assert_eq!(prism.details.lamps[&0], LampShape::Area { corner: [-4.0, -5.0, 7.0], edges });

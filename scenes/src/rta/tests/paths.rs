@@ -1,6 +1,9 @@
 //! Paths, and scenes at instants of a film.
 
+use rta_core::scene::Object;
+
 use super::{EVERYTHING, accepted, scene};
+use crate::accelerator::solid::solids;
 use crate::description::Path;
 use crate::space::difference;
 
@@ -61,9 +64,12 @@ fn a_path_that_ends_where_it_begins_goes_round_without_a_kink() {
 #[test]
 fn at_the_beginning_a_scene_is_as_its_statements_have_it() {
     let moving = accepted(EVERYTHING);
-    let still = moving.at(0.0);
-    assert!(moving.moves() && !still.moves());
-    let lines = EVERYTHING.lines().filter(|line| !line.starts_with("path") && !line.contains("at .75"));
+    let timed = moving.at(0.0);
+    assert!(moving.moves() && !timed.moves());
+    // Without a shutter nothing that goes along a path is blurred.
+    let unblurred = EVERYTHING.replace("shutter 0 .5", "");
+    let still = accepted(&unblurred).at(0.0);
+    let lines = unblurred.lines().filter(|line| !line.starts_with("path") && !line.contains("at .75"));
     let mut text = lines.collect::<Vec<_>>().join("\n");
     for name in ["swing", "lift"] {
         text = text.replace(&format!("along {name}"), "");
@@ -110,4 +116,71 @@ fn the_largest_numbers_stay_numbers() {
         let still = moving.at(f64::from(step) / 100.0);
         assert!(still.spheres[0].position.iter().all(|part| part.is_finite()), "{step}");
     }
+}
+
+/// Returns a scene of everything that goes along the path `p`, or that moves.
+fn all(path: &str, shutter: &str, along: &str) -> crate::description::Description {
+    accepted(&format!(
+        "rta 1\n{path}\ncamera at 0 -9 1  look 0 1 0  {shutter}  {along}\nlamp at 0 0 1 {along}\n\
+         lamp corner 1 1 1  edges 1 0 0  0 1 0  {along}\nsphere at 1 0 1 radius 1 {along}\n\
+         ellipsoid at 2 0 1 radii 1 2 3 {along}\ncylinder at 3 0 1 radius 1 {along}\n\
+         cone from 4 0 1 radius 1 to 5 0 1 radius 0 {along}\npolygon 0 0 1 1 0 1 1 1 1 0 1 1 {along}\n\
+         plane at 0 0 1 normal 0 1 1 {along}"
+    ))
+}
+
+#[test]
+fn what_goes_along_a_path_has_its_velocity_while_the_shutter_is_open() {
+    let line = "path p linear at 0 5 5 5 at 1 9 5 -3";
+    for shutter in ["shutter 0 .25", "shutter -.125 .125"] {
+        let blurred = all(line, shutter, "along p");
+        for instant in [0.25, 0.5] {
+            // Without a shutter a path moves nothing while it is open.
+            let mut there = all(line, "", "along p  moves 4 0 -8").at(instant);
+            there.optics.shutter = blurred.optics.shutter;
+            assert_eq!(blurred.at(instant), there);
+        }
+        // A scene that is drawn without an instant is drawn as it is when the film begins.
+        assert!(blurred.has_motion() && blurred.stopped() == blurred.at(0.0).stopped());
+        assert_eq!(blurred.in_the_middle(), blurred.at(0.0).in_the_middle());
+        let boxes = |scene| solids(scene).into_iter().map(|own| (own.bounds.low, own.bounds.high)).collect();
+        let [kept, begun]: [Vec<_>; 2] = [&blurred, &blurred.at(0.0)].map(boxes);
+        assert_eq!(kept, begun);
+    }
+    let unblurred = all(line, "", "along p");
+    assert!(!unblurred.has_motion() && !unblurred.at(0.5).has_motion());
+}
+
+#[test]
+fn while_the_shutter_is_open_things_go_from_where_the_path_is_to_where_it_is() {
+    let round = "path p at 0 1 0 0 at .25 0 1 0 at .5 -1 0 0 at .75 0 -1 0 at 1 1 0 0";
+    let moving = all(round, "shutter -.05 .15", "along p");
+    let path = &moving.details.paths[0];
+    // The last is beyond the end, where it goes round.
+    for instant in [0.1, 0.3, 0.95] {
+        let there = moving.at(instant);
+        let ends = there.swept(Object::Sphere(0)).expect("it moves");
+        for (end, time) in ends.into_iter().zip([instant - 0.05, instant + 0.15]) {
+            let [x, y, z] = there.spheres[0].position;
+            let [east, north, up] = end;
+            let place = [x + east - 1.0, y + north, z + up - 1.0];
+            let want = difference(path.place(f64::rem_euclid(time, 1.0)), path.place(0.0));
+            let off = difference(place, want);
+            assert!(off.into_iter().all(|off| off.abs() < 1e-12), "{instant} {time}: {off:?}");
+        }
+    }
+    // One that is open for no time shows where the path is.
+    let flash = all(round, "shutter .25 .25", "along p").at(0.0);
+    assert_eq!(flash.swept(Object::Sphere(0)), Some([[0.0; 3]; 2]));
+    assert!(flash.spheres[0].position[0].abs() < 1e-12);
+}
+
+#[test]
+fn a_camera_with_an_aim_looks_at_it_from_the_middle_of_its_way() {
+    let path = "rta 1\npath east linear at 0 0 0 0 at 1 8 0 0\n";
+    let text = format!("{path}camera at 0 -8 2  to 0 0 2  along east  shutter 0 .5");
+    let moving = accepted(&text).at(0.5);
+    assert_eq!((moving.camera.eye, moving.optics.moves), ([4.0, -8.0, 2.0], Some([8.0, 0.0, 0.0])));
+    let middle = moving.stopped().camera;
+    assert_eq!((middle.eye, middle.view), ([6.0, -8.0, 2.0], [-6.0, 8.0, 0.0]));
 }

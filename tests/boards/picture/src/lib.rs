@@ -117,7 +117,7 @@ const SPECTRAL: bool = !scene::WEIGHTS.is_empty();
 const SPREADS: bool = scene::SAMPLES.is_some();
 
 /// Whether something moves while the shutter is open.
-const MOVES: bool = !scene::MOTIONS.is_empty();
+const MOVES: bool = !scene::MOTIONS.is_empty() || scene::SPREAD.eye.is_some();
 
 /// The tracer of the baked scene with its model, by whichever accelerator it has.
 type Traced<'a, M, A> = Tracer<'a, scene::Number, M, Needs, { DEPTH as usize }, A>;
