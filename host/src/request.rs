@@ -23,7 +23,7 @@ use crate::picture::file::Caption;
 use crate::picture::raster::{Aspect, Size};
 use error::RequestError;
 use fit::Fit;
-use sampler::{SPREAD, Told, passes, put_lens, sampler, settling};
+use sampler::{SPREAD, Told, passes, put_lens, sampler, settling, with_paths};
 use scene_file::SceneFile;
 
 /// Depth of the rays where neither the command line nor the scene says it.
@@ -105,6 +105,7 @@ impl Request {
         let depth = asked.depth.or(depth).map_or(request.depth, |depth| depth.min(MAX_DEPTH));
         let cutoff = asked.cutoff.or(Cutoff::of(said));
         let sampling = sampler(&asked.spreading, Some(&scene.description), SPREAD)?;
+        let sampling = with_paths(sampling, asked.depth, false);
         Ok(Self { depth, cutoff, sampling, ..request })
     }
 

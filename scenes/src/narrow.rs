@@ -205,6 +205,7 @@ pub fn narrow<S: Narrow>(description: &Description, aspect: f64) -> Result<Narro
 fn brought<S: Narrow>(description: &Description, aspect: f64) -> Result<Narrowed<S>, NarrowError> {
     let held = description.has_motion().then(|| description.in_the_middle());
     let description = held.as_ref().unwrap_or(description);
+    let shining = description.shining();
     let lit = description.has_emitters().then(|| description.with_emitters());
     let description = lit.as_ref().unwrap_or(description);
     let is_dispersive = description.materials.iter().any(|material| material.dispersion.is_some());
@@ -287,7 +288,7 @@ fn brought<S: Narrow>(description: &Description, aspect: f64) -> Result<Narrowed
     let (coats, pool) = coats::narrow(description, &said, &shadings)?;
     let is_several = !further.is_empty();
     let camera = camera(&description.camera, aspect)?;
-    let spreads = Spreads::of(description, &said, &camera)?;
+    let spreads = Spreads::of(description, &said, &camera, &shining)?;
     let spectrum = is_several.then(|| Spectrum { weights: weights::<S>(count), further });
     Ok(Narrowed {
         camera,

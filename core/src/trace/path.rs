@@ -244,4 +244,5 @@ impl<S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Accelerator
 
 #[cfg(test)]
 #[cfg(feature = "f64")]
+#[allow(clippy::indexing_slicing, reason = "a test may panic")]
 mod tests;

@@ -103,7 +103,7 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Acceler
             Asked::None => 0..0,
             Asked::All => 0..count,
             Asked::One => {
-                let chosen = u64::from(word) * u64::try_from(count).unwrap_or(0) >> 32;
+                let chosen = (u64::from(word) * u64::try_from(count).unwrap_or(0)) >> 32;
                 let chosen = usize::try_from(chosen).unwrap_or(0);
                 chosen..count.min(chosen + 1)
             }

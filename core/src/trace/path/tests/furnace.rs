@@ -64,7 +64,7 @@ fn formats<S: Read>(rules: Rules, exact: f64) -> f64 {
 
 #[test]
 fn bright_walls_need_many_bounces() {
-    for (bounces, exact) in [(5, 0.234_866_859), (64, 0.318_309_886)] {
+    for (bounces, exact) in [(5, 0.234_866_859), (64, 1.0 / PI)] {
         let rules = Rules { bounces, ..PLAIN };
         furnace::<f64, _>((0.8, 0.2 / PI), (rules, 1, 16), &mut (), |light| {
             assert!((light - exact).abs() < 2e-7, "{bounces}: {light}");
@@ -108,8 +108,11 @@ fn roulette_ends_a_path_as_often_as_light_is_absorbed() {
     assert_eq!((count.rays, count.cut), (400, 100));
 }
 
+/// Lamps as they are asked, as lamps of a scene, and as what paths meet.
+type Panels = ([Option<Square<f64>>; 6], [Lamp<f64>; 6], [Emitter<f64>; 6]);
+
 /// The sides of the cube as lamps: parallelograms, and what says that they are the cube's triangles.
-fn panels(radiance: f64) -> ([Option<Square<f64>>; 6], [Lamp<f64>; 6], [Emitter<f64>; 6]) {
+fn panels(radiance: f64) -> Panels {
     let area = 4.0;
     let squares = sides().map(|([corner, first, second], normal)| {
         let corner = place::<f64>(corner);
