@@ -58,7 +58,7 @@ fn pictures_do_not_depend_on_the_threads() {
     for options in [&["--lamps", "area", "--samples", "4"][..], &["--aa", "whitted"], &["--aa", "mitchell"]] {
         let picture = |threads, format| {
             let options = [options, &["--threads", threads, "--format", format]].concat();
-            folder.prints(&[&["lens.rta", "-o", "out.png", "--size", "40x30"], &options[..]].concat());
+            folder.renders(&[&["lens.rta", "-o", "out.png", "--size", "40x30"], &options[..]].concat());
             fs::read(folder.path("out.png")).expect("it is written")
         };
         for format in ["f32", "q20"] {
@@ -173,6 +173,7 @@ fn passes_of_paths_draw_the_picture_of_as_many_samples() {
 fn paths_are_refused_where_there_are_none() {
     let folder = Folder::new();
     let prism = "spectral 9\nmaterial flint  transmit .9 specular .1 diffuse 0  index 1.62  abbe 33\nsphere at 0 -1 1  radius .5  of flint\n";
+    folder.scene("lens.rta", ROOM);
     folder.scene("prism.rta", ROOM.to_owned() + prism);
     folder.scene("moves.rta", ROOM.to_owned() + "sphere at 0 -1 1  radius .2  moves 1 0 0  color 1 1 1\n");
     let refuses = |scene, options: &[&str], words: &[&str]| {
@@ -181,5 +182,5 @@ fn paths_are_refused_where_there_are_none() {
     refuses("prism.rta", &[], &["--integrator paths", "wavelengths", "--spectral 0"]);
     refuses("moves.rta", &[], &["--integrator paths", "moves"]);
     refuses("moves.rta", &["--aa", "whitted"], &["--aa", "--integrator"]);
-    refuses("moves.rta", &["--sampler", "grid"], &["--integrator paths", "grid"]);
+    refuses("lens.rta", &["--sampler", "grid"], &["--integrator paths", "grid"]);
 }
