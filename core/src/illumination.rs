@@ -17,6 +17,7 @@ pub use weight::Weight;
 
 use crate::color::Rgb;
 use crate::light::Incident;
+use crate::material::Material;
 use crate::needs::Needs;
 use crate::scalar::vector::Vec3;
 use crate::scalar::{Scalar, Unit};
@@ -162,6 +163,20 @@ pub trait Illumination<S: Scalar>: Send + Sync {
     /// Returns the radiance that the point sends back of one lamp, without shadows. Unless it is black, the tracer then traces a
     /// shadow ray.
     fn direct<N: Needs>(&self, surface: &Surface<S>, incident: &Incident<S>) -> Rgb<S::Light>;
+
+    /// Returns the part, 0 to 1, of the light from all sides that the point sends back evenly to all sides: its colour times its diffuse
+    /// coefficient; none of mirrors and glass without coefficients of their own. [`Paths`](crate::trace::Paths) ask for it.
+    fn diffuse<N: Needs>(&self, surface: &Surface<S>) -> Rgb<S::Unit> {
+        match surface.material {
+            Material::Mirror | Material::Transparent(_) => surface.color.map(|_| S::Unit::ZERO),
+            _ => surface.diffuse::<N>(),
+        }
+    }
+
+    /// Returns whether lamps become less with the distance where they do not say it themselves.
+    fn fades(&self) -> bool {
+        Self::ATTENUATION
+    }
 
     /// Returns the weight below which a secondary ray is not traced, where a [`Tracer`](crate::trace::Tracer) is not told another: 0, the
     /// default, traces all.

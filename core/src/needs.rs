@@ -20,6 +20,20 @@
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Apart<N>(core::marker::PhantomData<fn() -> N>);
 
+/// The needs `N`, for shadow rays that transparent things stop as others do.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Opaque<N>(core::marker::PhantomData<fn() -> N>);
+
+/// Returns a need of [`Opaque`].
+macro_rules! opaque {
+    ($N:ident TRANSPARENT_SHADOWS) => {
+        false
+    };
+    ($N:ident $NAME:ident) => {
+        $N::$NAME
+    };
+}
+
 /// Declares each need once: its constant, its field and its documentation.
 macro_rules! needs {
     ($($(#[doc = $doc:literal])+ $NAME:ident $field:ident,)+) => {
@@ -30,6 +44,10 @@ macro_rules! needs {
 
         impl<N: Needs> Needs for Apart<N> {
             $(const $NAME: bool = N::$NAME;)+
+        }
+
+        impl<N: Needs> Needs for Opaque<N> {
+            $(const $NAME: bool = opaque!(N $NAME);)+
         }
 
         /// The constants of [`Needs`] as values; the crate `rta-scenes` finds those that a scene uses.

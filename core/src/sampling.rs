@@ -5,7 +5,7 @@ pub mod pairs;
 mod sobol;
 
 use pairs::hash;
-pub use sobol::Sobol;
+pub use sobol::{Sobol, Uncut};
 
 use crate::color::Rgb;
 use crate::raster::Raster;

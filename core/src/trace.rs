@@ -14,6 +14,7 @@ mod distributed;
 mod lamps;
 pub mod moving;
 mod observer;
+pub mod path;
 mod spawn;
 mod spectrum;
 
@@ -26,6 +27,7 @@ use dice::{Dice, Sample, Still};
 pub use distributed::Distributed;
 use lamps::{has_size, shadow_start};
 pub use observer::Observer;
+pub use path::Paths;
 pub use spectrum::Spectrum;
 
 use crate::accelerator::{Accelerator, Lists};

@@ -30,7 +30,7 @@ pub use details::{Detail, Details, LampShape};
 pub use dispersion::Dispersion;
 pub use material::{Coefficients, Edge, Kind, Material, Slope};
 pub use path::{Journey, Keyframe, Path};
-pub use quad::{Quad, bilinear, cut};
+pub use quad::{Quad, Shining, bilinear, cut};
 pub use settings::{ModelOption, Settings};
 pub use texture::{Axis, Pattern, Pixels, Texture};
 

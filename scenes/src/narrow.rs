@@ -211,6 +211,7 @@ pub fn narrow<S: Narrow>(description: &Description, aspect: f64) -> Result<Narro
 fn brought<S: Narrow>(description: &Description, aspect: f64) -> Result<Narrowed<S>, NarrowError> {
     let held = description.has_motion().then(|| description.in_the_middle());
     let description = held.as_ref().unwrap_or(description);
+    let shining = description.shining();
     let is_lit = description.has_emitters() || description.details.light.is_some();
     let lit = is_lit.then(|| description.with_emitters());
     let description = lit.as_ref().unwrap_or(description);
@@ -295,7 +296,7 @@ fn brought<S: Narrow>(description: &Description, aspect: f64) -> Result<Narrowed
     let (coats, pool) = coats::narrow(description, &said, &shadings)?;
     let is_several = !further.is_empty();
     let camera = camera(&description.camera, aspect)?;
-    let spreads = Spreads::of(description, &said, &camera)?;
+    let spreads = Spreads::of(description, &said, &camera, &shining)?;
     let spectrum = is_several.then(|| Spectrum { weights: weights::<S>(count), further });
     Ok(Narrowed {
         camera,

@@ -40,6 +40,23 @@ pub struct Spreading {
     pub lamps: Lamps,
     /// Places on a lamp that are asked for each point that the eye sees, 1 or more.
     pub split: u16,
+    /// How the light of a sample is found.
+    pub integrator: Integrator,
+}
+
+/// How the light of a sample is found.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Integrator {
+    /// By its ray tree (T. Whitted 1980).
+    #[default]
+    Whitted,
+    /// By a path of light (J. Kajiya 1986): [`Paths`](rta_core::trace::Paths). Nothing moves then, and lamps are asked at any of their places.
+    Paths {
+        /// The most bounces of a path.
+        bounces: u8,
+        /// Whether light is cut to white before the mean is taken, as it is for a display; otherwise it is kept as it is.
+        is_cut: bool,
+    },
 }
 
 impl Spreading {
@@ -50,7 +67,7 @@ impl Spreading {
         let lamps = if lamps == Lamps::Point { self::lamps(scene) } else { lamps };
         let spreads = lamps != Lamps::Point && !is_spectral(scene) || spreads(scene, scene.optics.aperture);
         let samples = Sobol::new(scene.settings.samples.unwrap_or(samples), 0)?;
-        spreads.then_some(Self { samples, lamps, split: 1 })
+        spreads.then_some(Self { samples, lamps, split: 1, integrator: Integrator::Whitted })
     }
 }
 

@@ -37,6 +37,8 @@ trait Shading<S: Scalar>: Send + Sync {
     fn is_lit(&self, surface: &Surface<S>) -> bool;
     fn is_reached(&self, surface: &Surface<S>, incident: &Incident<S>) -> bool;
     fn direct(&self, surface: &Surface<S>, incident: &Incident<S>) -> Rgb<S::Light>;
+    fn diffuse(&self, surface: &Surface<S>) -> Rgb<S::Unit>;
+    fn fades(&self) -> bool;
     fn cutoff(&self) -> S::Unit;
     fn secondary(&self, surface: &Surface<S>) -> Secondary<Rgb<S::Unit>>;
     fn along(&self, way: &Way<S>, lit: Lit<S>) -> Option<Passage<S, Rgb<S::Unit>>>;
@@ -66,6 +68,14 @@ impl<S: Scalar, M: Tabled<S>> Shading<S> for Owned<S, M> {
 
     fn direct(&self, surface: &Surface<S>, incident: &Incident<S>) -> Rgb<S::Light> {
         direct::<S, _, Everything>(&self.model.over(&self.rows), surface, incident)
+    }
+
+    fn diffuse(&self, surface: &Surface<S>) -> Rgb<S::Unit> {
+        self.model.over(&self.rows).diffuse::<Everything>(surface)
+    }
+
+    fn fades(&self) -> bool {
+        self.model.fades()
     }
 
     fn cutoff(&self) -> S::Unit {
@@ -278,6 +288,14 @@ impl<S: Scalar> Illumination<S> for Shaded<S> {
 
     fn direct<N: Needs>(&self, surface: &Surface<S>, incident: &Incident<S>) -> Rgb<S::Light> {
         self.0.direct(surface, incident)
+    }
+
+    fn diffuse<N: Needs>(&self, surface: &Surface<S>) -> Rgb<S::Unit> {
+        self.0.diffuse(surface)
+    }
+
+    fn fades(&self) -> bool {
+        self.0.fades()
     }
 
     fn cutoff(&self) -> S::Unit {

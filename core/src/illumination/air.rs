@@ -97,6 +97,14 @@ impl<S: Scalar, M: Illumination<S>, A: Air<S>> Illumination<S> for Through<M, A>
         self.model.direct::<N>(surface, incident)
     }
 
+    fn diffuse<N: Needs>(&self, surface: &Surface<S>) -> Rgb<S::Unit> {
+        self.model.diffuse::<N>(surface)
+    }
+
+    fn fades(&self) -> bool {
+        self.model.fades()
+    }
+
     fn cutoff(&self) -> S::Unit {
         self.model.cutoff()
     }

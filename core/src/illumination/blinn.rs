@@ -37,6 +37,10 @@ impl<S: Scalar> Illumination<S> for Blinn<S> {
         self.0.direct::<N>(surface, incident)
     }
 
+    fn diffuse<N: Needs>(&self, surface: &Surface<S>) -> Rgb<S::Unit> {
+        self.0.diffuse::<N>(surface)
+    }
+
     fn secondary<N: Needs>(&self, surface: &Surface<S>) -> Secondary<S::Unit> {
         self.0.secondary::<N>(surface)
     }

@@ -172,6 +172,10 @@ impl<S: Scalar, D: Facets<S>> Illumination<S> for BlinnFull<'_, S, D> {
             .reflected::<N>(surface.color.map(|color| color.times(diffuse).positive().plus(highlight)), false)
     }
 
+    fn diffuse<N: Needs>(&self, surface: &Surface<S>) -> Rgb<S::Unit> {
+        self.surface.diffuse::<N>(surface)
+    }
+
     fn secondary<N: Needs>(&self, surface: &Surface<S>) -> Secondary<S::Unit> {
         self.surface.secondary::<N>(surface)
     }

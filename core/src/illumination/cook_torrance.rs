@@ -204,6 +204,12 @@ impl<S: Scalar, G: Hidden<S::Unit>, F: Reflecting<S>> Illumination<S> for CookTo
         incident.reflected::<N>(reflectance, true)
     }
 
+    fn diffuse<N: Needs>(&self, surface: &Surface<S>) -> Rgb<S::Unit> {
+        let (zero, one) = (S::Unit::ZERO, S::Unit::ONE);
+        let part = self.row_of(surface).map_or(one, |row| if row.is_diffuse { one - row.share } else { zero });
+        surface.color.map(|color| color.times(part))
+    }
+
     fn secondary<N: Needs>(&self, surface: &Surface<S>) -> Secondary<Self::Weight> {
         let Some(row) = self.row_of(surface).filter(|row| row.mirror > S::Unit::ZERO) else {
             return Secondary::NONE;

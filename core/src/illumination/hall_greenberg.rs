@@ -170,6 +170,10 @@ impl<S: Scalar> Illumination<S> for HallGreenberg<'_, S> {
         self.cutoff
     }
 
+    fn diffuse<N: Needs>(&self, surface: &Surface<S>) -> Rgb<S::Unit> {
+        self.surface.diffuse::<N>(surface)
+    }
+
     fn secondary<N: Needs>(&self, surface: &Surface<S>) -> Secondary<Self::Weight> {
         let (zero, one) = (S::Unit::ZERO, S::Unit::ONE);
         let Some(row) = self.row_of(surface) else { return Secondary::NONE };

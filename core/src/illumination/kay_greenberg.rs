@@ -72,6 +72,10 @@ impl<S: Scalar> Illumination<S> for KayGreenberg<'_, S> {
         self.surface.direct::<N>(surface, incident)
     }
 
+    fn diffuse<N: Needs>(&self, surface: &Surface<S>) -> Rgb<S::Unit> {
+        self.surface.diffuse::<N>(surface)
+    }
+
     fn secondary<N: Needs>(&self, surface: &Surface<S>) -> Secondary<Self::Weight> {
         self.surface.secondary::<N>(surface).registers::<S>()
     }

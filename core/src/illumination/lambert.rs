@@ -84,6 +84,10 @@ impl<S: Scalar> Illumination<S> for Lambert<'_, S> {
         color.zip(incident.lamp.tint, |color, part| light.times(color.times(part)))
     }
 
+    fn diffuse<N: Needs>(&self, surface: &Surface<S>) -> Rgb<S::Unit> {
+        surface.diffuse::<N>()
+    }
+
     fn secondary<N: Needs>(&self, _surface: &Surface<S>) -> Secondary<S::Unit> {
         Secondary::NONE
     }

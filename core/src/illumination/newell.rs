@@ -102,6 +102,11 @@ impl<S: Scalar> Illumination<S> for Newell<'_, S> {
         self.surface.direct::<N>(surface, incident).map(|light| light.times(left))
     }
 
+    fn diffuse<N: Needs>(&self, surface: &Surface<S>) -> Rgb<S::Unit> {
+        let left = S::Unit::ONE - self.transmitted::<N>(surface);
+        self.surface.diffuse::<N>(surface).map(|part| part.times(left))
+    }
+
     fn secondary<N: Needs>(&self, surface: &Surface<S>) -> Secondary<S::Unit> {
         let part = self.transmitted::<N>(surface);
         let transmitted = (part > S::Unit::ZERO).then_some(part);

@@ -43,6 +43,10 @@ impl<S: Scalar> Illumination<S> for Phong<S> {
         self.0.lit::<N>(surface, incident, exponent, cosine)
     }
 
+    fn diffuse<N: Needs>(&self, surface: &Surface<S>) -> Rgb<S::Unit> {
+        self.0.diffuse::<N>(surface)
+    }
+
     fn secondary<N: Needs>(&self, surface: &Surface<S>) -> Secondary<S::Unit> {
         self.0.secondary::<N>(surface)
     }

@@ -111,6 +111,11 @@ impl<S: Scalar> Illumination<S> for Whitted<S> {
         })
     }
 
+    fn diffuse<N: Needs>(&self, surface: &Surface<S>) -> Rgb<S::Unit> {
+        let (kd, ..) = self.coefficients::<N>(surface.material, |finish| finish.exponent);
+        surface.color.map(|color| color.times(kd))
+    }
+
     fn secondary<N: Needs>(&self, surface: &Surface<S>) -> Secondary<S::Unit> {
         let (_, ks, _) = self.coefficients::<N>(surface.material, |finish| finish.exponent);
         Secondary {

@@ -29,6 +29,35 @@ impl Sobol {
     }
 }
 
+/// The samples of a [`Sobol`] whose light is kept as it is, for pictures of linear light: their mean is that of all their light.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Uncut(pub Sobol);
+
+impl Places for Uncut {
+    /// The number of the row.
+    type Row<U: Unit> = u32;
+
+    fn samples(&self) -> u32 {
+        self.0.samples()
+    }
+
+    fn row<U: Unit>(&self, _raster: Raster, y: u32) -> u32 {
+        y
+    }
+
+    fn place<U: Unit>(&self, raster: Raster, y: u32, x: u32, sample: u32) -> (U, U) {
+        self.0.place(raster, y, x, sample)
+    }
+
+    fn add<L: Light>(&self, sum: Rgb<L>, light: Rgb<L>) -> Rgb<L> {
+        sum.plus(light)
+    }
+
+    fn mean<L: Light>(&self, sum: Rgb<L>) -> Rgb<L> {
+        self.0.mean(sum)
+    }
+}
+
 /// The mean is a box filter; light is cut to white first, as [`Sampling`](super::Sampling) does it.
 impl Places for Sobol {
     /// The number of the row.

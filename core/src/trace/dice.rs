@@ -167,6 +167,13 @@ impl<S: Scalar> Thrown<'_, S> {
         let Sample { x, y, number } = self.sample;
         pair(x, y, purpose.tag(node), self.seed, number)
     }
+
+    /// Returns the dice for a lamp, by its number: each lamp has a seed of its own.
+    #[inline]
+    pub(super) fn of_lamp(&self, lamp: usize) -> Self {
+        let lamp = u32::try_from(lamp).unwrap_or(u32::MAX);
+        Self { seed: self.seed.wrapping_add(lamp.wrapping_mul(0x9e37_79b9)), ..*self }
+    }
 }
 
 impl<S: Scalar> Dice<S> for &Thrown<'_, S> {
@@ -195,10 +202,7 @@ impl<S: Scalar> Dice<S> for &Thrown<'_, S> {
             Lamps::Fixed(side) => Some(LampPlaces::grid(side)),
             Lamps::Area => {
                 let split = if is_first { u32::from(self.spread.split.max(1)) } else { 1 };
-                // Each lamp has a seed of its own.
-                let lamp = u32::try_from(lamp).unwrap_or(u32::MAX);
-                let seed = self.seed.wrapping_add(lamp.wrapping_mul(0x9e37_79b9));
-                let own = Thrown { seed, ..*self };
+                let own = self.of_lamp(lamp);
                 let first = self.sample.number.wrapping_mul(split);
                 Some(LampPlaces::some(own.pairs(purpose, node), first, split))
             }

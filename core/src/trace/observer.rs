@@ -35,6 +35,9 @@ pub trait Observer<S: Scalar> {
 
     /// A surface reflects all of the light that it would transmit: total internal reflection.
     fn total_reflection(&mut self) {}
+
+    /// A path ends because it has as many bounces as it may have, although it would go on.
+    fn cut(&mut self) {}
 }
 
 impl<S: Scalar> Observer<S> for () {}

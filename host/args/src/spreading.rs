@@ -25,8 +25,16 @@ pub struct SpreadingArgs {
     ///
     /// More rays where the light of neighbours differs: whitted cuts pixels in four twice where the light at their corners
     /// differs, whitted:K up to K times; mitchell has one ray a pixel, and nine where the contrast around it is high.
-    #[arg(long, value_name = "WAY", conflicts_with_all = ["samples", "jitter", "sampler", "seed", "lamps", "split", "aperture"])]
+    #[arg(long, value_name = "WAY", conflicts_with_all = ["samples", "jitter", "sampler", "seed", "lamps", "split", "aperture", "integrator"])]
     pub aa: Option<AdaptiveValue>,
+    /// How the light of a sample is found: by Whitted's ray tree, or by one path of light, with all that surfaces send each other
+    ///
+    /// Paths (Kajiya 1986) are right in the mean, with noise that halves where --samples are four times as many. They take the place of
+    /// ambient light, ask lamps at any of their places, and show no highlights but those of rough mirrors. --depth is the most bounces of a
+    /// path [64 if nothing is said]. For a display light is cut to white sample by sample, which darkens what is brighter in part; in a PFM
+    /// or HDR nothing is cut.
+    #[arg(long, value_enum, ignore_case = true, default_value_t = IntegratorKind::Whitted)]
+    pub integrator: IntegratorKind,
     /// What spreads rays
     #[command(flatten)]
     pub spread: SpreadArgs,
@@ -53,6 +61,16 @@ pub struct SpreadArgs {
     /// Distance from the eye that is sharp, instead of what the scene says
     #[arg(long, value_name = "LENGTH", value_parser = choice::distance)]
     pub focus: Option<f64>,
+}
+
+/// How the light of a sample is found.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub enum IntegratorKind {
+    /// By the tree of reflected and transmitted rays (Whitted 1980)
+    #[default]
+    Whitted,
+    /// By one path of light for each sample (Kajiya 1986)
+    Paths,
 }
 
 /// Where the samples of a pixel lie.

@@ -26,7 +26,7 @@ pub struct TracingArgs {
     pub model: Option<Model>,
     /// Reflections and refractions that a ray is followed through; 0 is what the eye sees directly
     ///
-    /// [default: what a .rta says, else 5]
+    /// [default: what a .rta says, else 5; with --integrator paths 64 bounces of any kind]
     #[arg(long, value_name = "N", value_parser = choice::whole(0..=MAX_DEPTH), verbatim_doc_comment)]
     pub depth: Option<u32>,
     /// A ray that would bring less than this part of its light into the pixel is not traced: 1/64, or 0 for all

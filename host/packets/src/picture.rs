@@ -19,7 +19,7 @@ use rta_scenes::accelerator::bvh;
 use rta_scenes::description::{Air, Description};
 use rta_scenes::model::Model;
 use rta_scenes::narrow::{Narrow, Narrowed, narrow};
-use rta_scenes::sampler::Sampler;
+use rta_scenes::sampler::{Integrator, Sampler};
 use rta_scenes::shading::{Shade, Wavelengths};
 
 use crate::cache::ShadowCache;
@@ -31,6 +31,7 @@ mod added;
 mod antialiased;
 mod error;
 mod moving;
+mod paths;
 mod spectral;
 mod spread;
 
@@ -38,6 +39,7 @@ pub use added::{Added, Pass, Sums};
 use antialiased::Antialiased;
 pub use error::PictureError;
 use moving::Moving;
+use paths::Pathed;
 use spectral::Spectral;
 use spread::Spread;
 
@@ -83,7 +85,7 @@ pub trait Picture<S: Narrow>: Send + Sync {
     /// Adds samples to the sums of the light of some pixels. Of rays that are not spread the seed of the pass moves the places alone.
     fn add(&self, pass: Pass, sums: Sums<S>) {
         let mut cache = ShadowCache::default();
-        pass.add::<S>(self.setup().raster, sums, |place, sample| {
+        pass.add::<S>((self.setup().raster, pass.samples), sums, |place, sample| {
             self.sample(place, sample, &mut cache, &mut ())
         });
     }
@@ -179,6 +181,9 @@ macro_rules! formats {
                 if let Some(&spreading) = setup.sampling.spreading() {
                     let model = any(&ready.scene).into_first();
                     let still = Modelled { ready, model };
+                    if let Integrator::Paths { bounces, is_cut } = spreading.integrator {
+                        return Ok(Box::new(Pathed { still, spreading, bounces, is_cut }));
+                    }
                     if scene.has_motion() {
                         let (scene, built) = (narrow::<$f>(scene, setup.aspect)?, bvh::build::<$f>(scene));
                         return Ok(Box::new(Moving { still, spreading, scene, built }));

@@ -6,7 +6,7 @@ use rta_core::trace::dice::Sample;
 use rta_core::{Q16, Q20};
 use rta_packets::ShadowCache;
 use rta_packets::picture::{Format, Picture, Setup};
-use rta_scenes::sampler::{Lamps, Sampler, Spreading};
+use rta_scenes::sampler::{Integrator, Lamps, Sampler, Spreading};
 
 const SEEDS: u32 = 32;
 const SAMPLES: u32 = 64;
@@ -21,7 +21,8 @@ fn pictures<S: Format>(text: &str, lamps: Lamps) -> Vec<Box<dyn Picture<S>>> {
     let scene = rta_scenes::read(text.as_bytes(), "a scene.rta").expect("it is one");
     let picture = |seed| {
         let samples = Sobol::new(SAMPLES, seed).expect("few");
-        let sampling = Sampler::Sobol(Spreading { samples, lamps, split: 1 });
+        let sampling =
+            Sampler::Sobol(Spreading { samples, lamps, split: 1, integrator: Integrator::Whitted });
         let raster = Raster::new(64, 64).expect("small");
         let setup = Setup { raster, aspect: 1.0, depth: 4, cutoff: None, sampling };
         S::picture(&scene, scene.model, &setup).expect("it fits")

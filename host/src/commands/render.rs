@@ -15,7 +15,7 @@ use crate::picture::error::{PictureError, name};
 use crate::picture::output::{Failure, PictureOutput};
 use crate::request::Request;
 use crate::request::error::RequestError;
-use crate::request::sampler::with_samples;
+use crate::request::sampler::{with_paths, with_samples};
 use crate::request::scene_file::SceneFile;
 use rta_args::value::rows::Rows;
 
@@ -82,7 +82,8 @@ fn draw(
     }
     let scene = scene()?;
     let output = output.beside(&scene.inputs)?;
-    let request = Request::of_scene(&args.tracing, args.device, &scene)?;
+    let mut request = Request::of_scene(&args.tracing, args.device, &scene)?;
+    request.sampling = with_paths(request.sampling, None, file_type.is_linear());
     let request = match goal {
         Some(Goal::Until(end, _)) => request.until(Some(end), &args.tracing, &scene)?,
         Some(Goal::Settled(_)) => request.settling(&args.tracing, &scene)?,

@@ -2,16 +2,21 @@
 
 use core::fmt;
 
-use rta_args::spreading::{SamplerKind, SpreadingArgs};
+use rta_args::spreading::{IntegratorKind, SamplerKind, SpreadingArgs};
 use rta_args::value::sampling::{AdaptiveValue, LampsValue, Samples};
 use rta_core::sampling::{Places, Sobol};
 use rta_scenes::description::Description;
-use rta_scenes::sampler::{Lamps, Sampler, Spreading, is_spectral, lamps as natural_lamps, spreads};
+use rta_scenes::sampler::{
+    Integrator, Lamps, Sampler, Spreading, is_spectral, lamps as natural_lamps, spreads,
+};
 
 use super::error::RequestError;
 
 /// Samples of a pixel where rays are spread and neither the command line nor the scene says how many.
 pub const SPREAD: u32 = 16;
+
+/// The most bounces of a path where nobody says another number.
+const BOUNCES: u8 = 64;
 
 /// The most samples of a pixel that ends early where its samples agree.
 const SETTLED: u32 = 64;
@@ -21,7 +26,8 @@ const SETTLED: u32 = 64;
 ///
 /// # Errors
 /// [`RequestError::Samples`] for a number that fills no grid, [`RequestError::OfGrid`] and [`RequestError::OfSobol`] for an option of the
-/// other sampler, [`RequestError::Spectral`] for one that spreads the rays of several wavelengths.
+/// other sampler, [`RequestError::Spectral`] for one that spreads the rays of several wavelengths, [`RequestError::Moving`] for paths in a scene in which
+/// something moves.
 pub fn sampler(
     asked: &SpreadingArgs,
     scene: Option<&Description>,
@@ -32,7 +38,12 @@ pub fn sampler(
     }
     let spread = &asked.spread;
     let lamps = spread.lamps.map_or(Lamps::Point, |LampsValue(lamps)| lamps);
+    let is_of_paths = asked.integrator == IntegratorKind::Paths;
+    if is_of_paths && scene.is_some_and(Description::has_motion) {
+        return Err(RequestError::Moving);
+    }
     let of_sobol = [
+        (is_of_paths, "--integrator paths"),
         (lamps != Lamps::Point, "--lamps"),
         (spread.seed.is_some(), "--seed"),
         (spread.split.is_some(), "--split"),
@@ -67,7 +78,11 @@ pub fn sampler(
                 (None, Some(scene)) => natural_lamps(scene),
                 _ => lamps,
             };
-            Ok(Sampler::Sobol(Spreading { samples, lamps, split: spread.split.unwrap_or(1) }))
+            let integrator = match asked.integrator {
+                IntegratorKind::Whitted => Integrator::Whitted,
+                IntegratorKind::Paths => Integrator::Paths { bounces: BOUNCES, is_cut: true },
+            };
+            Ok(Sampler::Sobol(Spreading { samples, lamps, split: spread.split.unwrap_or(1), integrator }))
         }
     }
 }
@@ -89,7 +104,7 @@ pub fn passes(
         return Err(RequestError::Spectral(option));
     }
     let samples = Sobol::new(SPREAD, 0).ok_or(RequestError::Passes(option))?;
-    let plain = Spreading { samples, lamps: Lamps::Point, split: 1 };
+    let plain = Spreading { samples, lamps: Lamps::Point, split: 1, integrator: Integrator::Whitted };
     Ok(Sampler::Sobol(sampler.spreading().copied().unwrap_or(plain)))
 }
 
@@ -114,6 +129,20 @@ pub fn with_samples(sampler: Sampler, samples: u32) -> Sampler {
     Sampler::Sobol(Spreading { samples, ..spreading })
 }
 
+/// Returns the sampler whose paths, where it has any, have so many bounces at most, if it is said, and whose light is kept as it is for
+/// linear light.
+#[must_use]
+pub fn with_paths(sampler: Sampler, most: Option<u32>, is_linear: bool) -> Sampler {
+    match sampler {
+        Sampler::Sobol(spreading @ Spreading { integrator: Integrator::Paths { bounces, is_cut }, .. }) => {
+            let bounces = most.map_or(bounces, |most| u8::try_from(most).unwrap_or(u8::MAX));
+            let integrator = Integrator::Paths { bounces, is_cut: is_cut && !is_linear };
+            Sampler::Sobol(Spreading { integrator, ..spreading })
+        }
+        _ => sampler,
+    }
+}
+
 /// Puts the lens of the options into a scene.
 pub fn put_lens(asked: (Option<f64>, Option<f64>), scene: &mut Description) {
     let (aperture, focus) = asked;
@@ -135,8 +164,11 @@ impl fmt::Display for Told<'_> {
                 write!(f, ", {} {kind} samples a pixel", grid.samples())
             }
             Sampler::Adaptive(adaptive) => write!(f, ", antialiasing {}", AdaptiveValue(*adaptive)),
-            Sampler::Sobol(Spreading { samples, lamps, split }) => {
+            Sampler::Sobol(Spreading { samples, lamps, split, integrator }) => {
                 write!(f, ", {} sobol samples a pixel, seed {}", samples.samples(), samples.seed())?;
+                if let Integrator::Paths { bounces, .. } = integrator {
+                    return write!(f, ", paths of at most {bounces} bounces");
+                }
                 match lamps {
                     Lamps::Point => Ok(()),
                     lamps => write!(f, ", lamps {}, split {split}", LampsValue(*lamps)),

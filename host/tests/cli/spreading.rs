@@ -101,3 +101,86 @@ fn options_that_contradict_each_other_are_refused() {
         folder.refuses(&[&["render", "scene.dat", "-o", "out.png"], options].concat(), words);
     }
 }
+
+/// A small room whose ceiling shines.
+const ROOM: &str = "\
+rta 1
+camera at 0 -1.9 1  look 0 1 0  lens .8
+model lambert
+material bright  emits 2 2 2
+box from -1 -2 0  to 1 1 2  inside  color .7 .6 .5
+quad -.5 -.5 1.9  -.5 .5 1.9  .5 .5 1.9  .5 -.5 1.9  color .5 .5 .5  of bright
+";
+
+const PATHS: [&str; 2] = ["--integrator", "paths"];
+
+#[test]
+fn paths_are_followed_where_they_are_asked_for() {
+    let folder = Folder::new();
+    folder.scene("lens.rta", ROOM);
+    let natural = hash(&folder, &PATHS);
+    assert!(natural.contains("16 sobol samples a pixel, seed 0, paths of at most 64 bounces"), "{natural}");
+    let whitted = hash(&folder, &[]);
+    assert_eq!(whitted, hash(&folder, &["--integrator", "whitted"]));
+    let digits = |text: &str| text[..16].to_owned();
+    let all = [
+        natural.clone(),
+        whitted,
+        hash(&folder, &[&PATHS[..], &["--depth", "1"]].concat()),
+        hash(&folder, &[&PATHS[..], &["--seed", "1"]].concat()),
+        hash(&folder, &[&PATHS[..], &["--samples", "32"]].concat()),
+    ];
+    for (i, one) in all.iter().enumerate() {
+        assert!(all[..i].iter().all(|other| digits(other) != digits(one)), "{one}");
+    }
+    assert_eq!(digits(&natural), digits(&hash(&folder, &[&PATHS[..], &["--threads", "3"]].concat())));
+}
+
+#[test]
+fn linear_light_of_paths_is_not_cut() {
+    let folder = Folder::new();
+    folder.scene("lens.rta", ROOM);
+    let options = ["--device", "none", "--size", "16x16", "-q"];
+    folder.prints(&[&["render", "lens.rta", "-o", "light.pfm"], &options[..], &PATHS[..]].concat());
+    let file = fs::read(folder.path("light.pfm")).unwrap();
+    let light = |bytes: &[u8]| f32::from_le_bytes(bytes.try_into().unwrap());
+    let brightest = file[file.len() - 16 * 16 * 12..].chunks(4).map(light).fold(0.0f32, f32::max);
+    // The lamp is seen with its own light, of the radiance 2 and what it sends back.
+    assert!(brightest > 1.5, "{brightest}");
+}
+
+#[test]
+fn passes_of_paths_draw_the_picture_of_as_many_samples() {
+    let folder = Folder::new();
+    folder.scene("lens.rta", ROOM);
+    let render = |output: &str, options: &[&str]| {
+        let size = ["--size", "24x18", "--device", "none", "-q"];
+        folder.prints(&[&["render", "lens.rta", "-o", output], &size[..], &PATHS[..], options].concat());
+        fs::read(folder.path(output)).unwrap()
+    };
+    for (end, file_type) in [("png", "png"), ("pfm", "pfm")] {
+        let until = render(&format!("until.{end}"), &["--until", "0.05", "--as", file_type]);
+        let is_there = [1, 2, 4, 8, 16, 32, 64, 128, 256].map(|samples: u32| {
+            let samples = samples.to_string();
+            render(&format!("whole.{end}"), &["--samples", &samples, "--as", file_type]) == until
+        });
+        assert_eq!(is_there.iter().filter(|is_it| **is_it).count(), 1, "{end}");
+    }
+    render("settled.png", &["--tolerance", ".1"]);
+}
+
+#[test]
+fn paths_are_refused_where_there_are_none() {
+    let folder = Folder::new();
+    let prism = "spectral 9\nmaterial flint  transmit .9 specular .1 diffuse 0  index 1.62  abbe 33\nsphere at 0 -1 1  radius .5  of flint\n";
+    folder.scene("lens.rta", ROOM);
+    folder.scene("prism.rta", ROOM.to_owned() + prism);
+    folder.scene("moves.rta", ROOM.to_owned() + "sphere at 0 -1 1  radius .2  moves 1 0 0  color 1 1 1\n");
+    let refuses = |scene, options: &[&str], words: &[&str]| {
+        folder.refuses(&[&["hash", scene], &PATHS[..], options].concat(), words);
+    };
+    refuses("prism.rta", &[], &["--integrator paths", "wavelengths", "--spectral 0"]);
+    refuses("moves.rta", &[], &["--integrator paths", "moves"]);
+    refuses("moves.rta", &["--aa", "whitted"], &["--aa", "--integrator"]);
+    refuses("lens.rta", &["--sampler", "grid"], &["--integrator paths", "grid"]);
+}

@@ -5,7 +5,7 @@ use std::process::Output;
 
 use rta::engine::{Engine, Format, Settings, bands, passes::Passes};
 use rta_core::sampling::Sobol;
-use rta_scenes::sampler::{Lamps, Sampler, Spreading};
+use rta_scenes::sampler::{Integrator, Lamps, Sampler, Spreading};
 
 use super::folder::{Folder, SCENE};
 
@@ -102,7 +102,8 @@ fn time_ends_a_picture_with_a_whole_pass() {
 fn engine(samples: u32, seed: u32) -> Engine {
     let scene = rta_scenes::read(ALL.as_bytes(), "all.rta").expect("a scene");
     let samples = Sobol::new(samples, seed).expect("few");
-    let sampling = Sampler::Sobol(Spreading { samples, lamps: Lamps::Area, split: 1 });
+    let sampling =
+        Sampler::Sobol(Spreading { samples, lamps: Lamps::Area, split: 1, integrator: Integrator::Whitted });
     let settings = Settings {
         width: 96,
         height: 72,

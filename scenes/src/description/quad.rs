@@ -56,6 +56,12 @@ impl Quad {
         })
     }
 
+    /// Returns the corners of the part of it that emits, if its material does, from its own.
+    fn shining(&self, corners: [Triple; 4]) -> [Triple; 4] {
+        let [u0, v0, u1, v1] = self.emitting.unwrap_or([0.0, 0.0, 1.0, 1.0]);
+        [[u0, v0], [u1, v0], [u1, v1], [u0, v1]].map(|place| bilinear(corners, place))
+    }
+
     /// Returns whether it emits at a place, u and v from 0 to 1, if its material does.
     #[must_use]
     pub fn emits_at(&self, [u, v]: [f64; 2]) -> bool {
@@ -73,6 +79,16 @@ pub fn bilinear([a, b, c, d]: [Triple; 4], [u, v]: [f64; 2]) -> Triple {
     place
 }
 
+/// Returns the means of opposite edges, from the first corner to the second and from the first to the fourth.
+fn edges([a, b, c, d]: [Triple; 4]) -> [Triple; 2] {
+    let edge = |from: [Triple; 2], to: [Triple; 2]| -> Triple {
+        let [[first, second], [third, fourth]] = [from, to];
+        let sides = (difference(third, first), difference(fourth, second));
+        core::array::from_fn(|i| f64::midpoint(register(sides.0, i), register(sides.1, i)))
+    };
+    [edge([a, d], [b, c]), edge([a, b], [d, c])]
+}
+
 /// Returns the triangles of a quad, as [`Quad::corners`] finds its corners in them.
 #[must_use]
 pub fn cut(corners: [Triple; 4], emitting: Option<[f64; 4]>) -> Vec<[Triple; 3]> {
@@ -83,7 +99,32 @@ pub fn cut(corners: [Triple; 4], emitting: Option<[f64; 4]>) -> Vec<[Triple; 3]>
     [[a, b, f, e], [b, c, g, f], [c, d, h, g], [d, a, e, h], inner].map(halves).concat()
 }
 
+/// A lamp that [`Description::with_emitters`] adds.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Shining {
+    /// Its number, from 0.
+    pub lamp: u32,
+    /// The number of the first of the two triangles that emit its light, from 0.
+    pub triangle: u32,
+    /// Its area.
+    pub area: f64,
+}
+
 impl Description {
+    /// Returns the lamps that [`Description::with_emitters`] adds, in the order of their numbers.
+    #[must_use]
+    pub fn shining(&self) -> Vec<Shining> {
+        let lit = self.quads.iter().filter(|quad| self.emission(quad).is_some());
+        let found = lit.filter_map(|quad| {
+            let [first, second] = edges(quad.shining(quad.corners(&self.triangles)?));
+            // The last two of a quad that emits in part.
+            let triangle = quad.triangle.saturating_add(quad.triangles() - 2);
+            Some((triangle, length(cross(first, second))))
+        });
+        let numbers = u32::try_from(self.lamps.len()).unwrap_or(u32::MAX)..;
+        numbers.zip(found).map(|(lamp, (triangle, area))| Shining { lamp, triangle, area }).collect()
+    }
+
     /// Returns whether a quad emits light.
     #[must_use]
     pub fn has_emitters(&self) -> bool {
@@ -119,23 +160,17 @@ impl Description {
             if is_whole {
                 continue;
             }
-            let [u0, v0, u1, v1] = quad.emitting.unwrap_or([0.0, 0.0, 1.0, 1.0]);
-            let [a, b, c, d] = [[u0, v0], [u1, v0], [u1, v1], [u0, v1]].map(|place| bilinear(corners, place));
-            let edge = |from: [Triple; 2], to: [Triple; 2]| -> Triple {
-                let [[first, second], [third, fourth]] = [from, to];
-                let sides = (difference(third, first), difference(fourth, second));
-                core::array::from_fn(|i| f64::midpoint(register(sides.0, i), register(sides.1, i)))
-            };
-            let edges = [edge([a, d], [b, c]), edge([a, b], [d, c])];
+            let corners = quad.shining(corners);
+            let edges = edges(corners);
             let area = length(cross(edges[0], edges[1]));
             let corner = core::array::from_fn(|i| {
-                let middle = [a, b, c, d].map(|corner| register(corner, i)).iter().sum::<f64>() / 4.0;
+                let middle = corners.map(|corner| register(corner, i)).iter().sum::<f64>() / 4.0;
                 middle - edges.map(|edge| register(edge, i)).iter().sum::<f64>() / 2.0
             });
             let line = quad.of(&self.triangles).first().map_or(0, |triangle| triangle.line);
             scene.details.lamps.insert(scene.lamps.len(), LampShape::Area { corner, edges });
             scene.lamps.push(Lamp {
-                position: bilinear([a, b, c, d], [0.5, 0.5]),
+                position: bilinear(corners, [0.5, 0.5]),
                 color: light.map(|register| register * area / core::f64::consts::PI),
                 radius: 0.0,
                 fall_off: FallOff::Square,

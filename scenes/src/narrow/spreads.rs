@@ -4,13 +4,14 @@ use rta_core::camera::{Aperture, Camera};
 use rta_core::light::area::Square;
 use rta_core::trace::dice::Spread;
 use rta_core::trace::moving::Motion;
+use rta_core::trace::path::Emitter;
 use rta_core::vector::{UnitVector, Vec3, Vector};
 
 use super::check::Checker;
 use super::moving::{eye, motions};
 use super::variant::Options;
 use super::{Narrow, NarrowError, Narrowed};
-use crate::description::{Description, LampShape, Material};
+use crate::description::{Description, LampShape, Material, Shining};
 use crate::sampler::Spreading;
 use crate::space::{cross, length, unit};
 
@@ -25,6 +26,8 @@ pub struct Spreads<S: Narrow> {
     pub roughness: Vec<S::Unit>,
     /// The bodies of the triangles, by a number for each, equal for faces of one body.
     pub bodies: Vec<u32>,
+    /// The lamps whose light paths meet on triangles.
+    pub emitters: Vec<Emitter<S>>,
     /// What moves while the shutter is open.
     pub motions: Vec<Motion<S>>,
     /// How far the eye moves while it is.
@@ -53,7 +56,12 @@ impl<S: Narrow> Spreads<S> {
         description: &Description,
         said: &[Material],
         camera: &Camera<S>,
+        shining: &[Shining],
     ) -> Result<Self, NarrowError> {
+        let emitter = |&Shining { lamp, triangle, area }: &Shining| {
+            let area = <S as Narrow>::power(area);
+            Emitter { lamp, triangle, area }
+        };
         let mut squares = Vec::new();
         for (&number, shape) in &description.details.lamps {
             let LampShape::Area { corner, edges } = shape else { continue };
@@ -75,6 +83,7 @@ impl<S: Narrow> Spreads<S> {
             aperture: aperture(description, camera)?,
             roughness,
             bodies: bodies(description),
+            emitters: shining.iter().map(emitter).collect(),
             motions: motions(description)?,
             eye: eye::<S>(description)?,
         })

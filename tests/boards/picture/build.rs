@@ -18,7 +18,7 @@ use std::fs;
 use std::path::PathBuf;
 
 use rta_scenes::bake::{Format, Model, Recipe, SAMPLES, bake_by};
-use rta_scenes::sampler::{Lamps, Sobol, Spreading};
+use rta_scenes::sampler::{Integrator, Lamps, Sobol, Spreading};
 
 fn main() -> Result<(), Box<dyn Error>> {
     let variable = |name: &str, default: &str| {
@@ -58,7 +58,9 @@ fn main() -> Result<(), Box<dyn Error>> {
         let recipe = Recipe::of(format, scene);
         let model = model.unwrap_or(recipe.model);
         let natural = Spreading::of(scene, lamps, SAMPLES);
-        let spreading = samples.map_or(natural, |samples| Some(Spreading { samples, lamps, split: 1 }));
+        let integrator = Integrator::Whitted;
+        let spreading =
+            samples.map_or(natural, |samples| Some(Spreading { samples, lamps, split: 1, integrator }));
         Recipe { model, spreading, radiosity, ..recipe }
     })?;
     let (needs, baked) = match variable("RTA_NEEDS", "baked").as_str() {

@@ -31,20 +31,20 @@ pub struct Added<'s, S: Scalar> {
 pub type Sums<'p, 's, S> = &'p mut dyn Iterator<Item = Added<'s, S>>;
 
 impl Pass {
-    /// Adds the samples of the pixels of a picture on `raster`, which `trace` returns the light of: in the order of their numbers, as a
+    /// Adds the samples of the pixels of a picture on `raster`, which `trace` returns the light of, at `places` as many: in the order of their numbers, as a
     /// picture of as many samples adds them, so that the sums are the same to the last bit.
     pub(super) fn add<S: Scalar>(
         self,
-        raster: Raster,
+        (raster, places): (Raster, impl Places),
         sums: Sums<S>,
         mut trace: impl FnMut((S::Unit, S::Unit), Sample) -> Rgb<S::Light>,
     ) {
         for Added { place: [x, y], sum, mut agreement } in sums {
-            let row = Places::row::<S::Unit>(&self.samples, raster, y);
-            for number in self.first..self.samples.samples() {
-                let place = self.samples.place(raster, row, x, number);
+            let row = places.row::<S::Unit>(raster, y);
+            for number in self.first..places.samples() {
+                let place = places.place(raster, row, x, number);
                 let light = trace(place, Sample { x, y, number });
-                *sum = self.samples.add(*sum, light);
+                *sum = places.add(*sum, light);
                 if let Some(agreement) = &mut agreement {
                     agreement.add(light);
                 }

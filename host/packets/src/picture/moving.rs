@@ -80,7 +80,7 @@ impl<S: Format, M: Illumination<S> + Clone> Picture<S> for Moving<S, M> {
     fn add(&self, pass: Pass, sums: Sums<S>) {
         let (camera, mut memory) = (&self.scene().camera, Memory::default());
         self.with_tracer(pass.samples.seed(), |tracer| {
-            pass.add::<S>(self.setup().raster, sums, |place, sample| {
+            pass.add::<S>((self.setup().raster, pass.samples), sums, |place, sample| {
                 tracer.sample(camera, place, sample, &mut memory, &mut ())
             });
         });

@@ -18,6 +18,7 @@ use crate::picture::output::Output;
 use crate::picture::part::{Light, Part, Whole};
 use crate::request::Request;
 use crate::request::error::RequestError;
+use crate::request::sampler::with_paths;
 use crate::request::scene_file::SceneFile;
 
 /// Traces some rows of a scene's picture, or some frames of its film, into a file.
@@ -37,7 +38,8 @@ pub(super) fn draw(
     }
     let scene = scene()?;
     let output = Output::open(&args.output, &scene.inputs)?;
-    let request = Request::of_scene(&args.tracing, args.device, &scene)?;
+    let mut request = Request::of_scene(&args.tracing, args.device, &scene)?;
+    request.sampling = with_paths(request.sampling, None, linear.is_some());
     let (size, aspect) = request.raster()?;
     let film = args.film.frames.map(|frames| (frames, args.film.rate));
     let mut caption = request.caption(&scene);

@@ -10,7 +10,7 @@ use rta_core::color::Rgb;
 use rta_core::sampling::{Sampling, Sobol};
 use rta_packets::tally::Rays;
 use rta_scenes::description::{Description, LampShape};
-use rta_scenes::sampler::{self, Adaptive, Cutting, Lamps, Sampler, Spreading, is_spectral};
+use rta_scenes::sampler::{self, Adaptive, Cutting, Integrator, Lamps, Sampler, Spreading, is_spectral};
 
 use super::Source;
 use super::measure::{Difference, median, slope};
@@ -112,7 +112,8 @@ fn sobol(lamps: Lamps, split: u16) -> impl Fn(u32) -> Option<Sampler> {
         _ => u32::from(split),
     };
     move |samples| {
-        let spreading = Spreading { samples: Sobol::new(samples, 0)?, lamps, split };
+        let spreading =
+            Spreading { samples: Sobol::new(samples, 0)?, lamps, split, integrator: Integrator::Whitted };
         (places == 1 || samples * places <= MOST).then_some(Sampler::Sobol(spreading))
     }
 }
@@ -181,7 +182,7 @@ impl Scene<'_> {
         size: Size,
         stop: &AtomicBool,
     ) -> Result<(Vec<Rgb<f32>>, f64), StudyError> {
-        let spreading = |samples| Spreading { samples, lamps, split: 1 };
+        let spreading = |samples| Spreading { samples, lamps, split: 1, integrator: Integrator::Whitted };
         let sampling = Sobol::new(REFERENCE, REFERENCE_SEED).map(spreading).map(Sampler::Sobol);
         let engine = self.engine(sampling.unwrap_or(Sampler::CENTER))?;
         let mut passes = engine.passes().ok_or(PictureError::Memory(size))?;

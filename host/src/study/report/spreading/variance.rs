@@ -2,7 +2,7 @@
 
 use rta_core::color::Rgb;
 use rta_core::sampling::Sobol;
-use rta_scenes::sampler::{Lamps, Sampler, Spreading};
+use rta_scenes::sampler::{Integrator, Lamps, Sampler, Spreading};
 
 use super::{Scene, Setup};
 use crate::study::error::StudyError;
@@ -60,7 +60,8 @@ impl Variances {
 /// of many: both see the same points, so that the one differs from the other by the lamp alone.
 pub(super) fn measured(scene: &Scene, setup: Setup) -> Result<Variances, StudyError> {
     let split = |seed, split| {
-        let spreading = |samples| Spreading { samples, lamps: Lamps::Area, split };
+        let spreading =
+            |samples| Spreading { samples, lamps: Lamps::Area, split, integrator: Integrator::Whitted };
         let sampling = Sobol::new(1, seed).map(spreading).map(Sampler::Sobol);
         scene.engine(sampling.unwrap_or(Sampler::CENTER))
     };

@@ -2,7 +2,7 @@
 
 use rta_core::sampling::Sobol;
 use rta_scenes::description::Description;
-use rta_scenes::sampler::{Lamps, Spreading};
+use rta_scenes::sampler::{Integrator, Lamps, Spreading};
 
 use super::{Aim, BOTH, Case, Stand};
 
@@ -89,7 +89,12 @@ fn case(name: &str, text: &str) -> Case {
         models: BOTH,
         acne: false,
         thinning: 10,
-        spreading: Sobol::new(SAMPLES, 7).map(|samples| Spreading { samples, lamps: Lamps::Area, split: 1 }),
+        spreading: Sobol::new(SAMPLES, 7).map(|samples| Spreading {
+            samples,
+            lamps: Lamps::Area,
+            split: 1,
+            integrator: Integrator::Whitted,
+        }),
     }
 }
 
