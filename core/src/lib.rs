@@ -37,6 +37,7 @@ pub mod light;
 pub mod material;
 pub mod needs;
 mod quantity;
+pub mod radiosity;
 pub mod range;
 pub mod raster;
 pub mod ray;

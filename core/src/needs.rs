@@ -142,6 +142,8 @@ needs! {
     CONE_LAMPS cone_lamps,
     /// A lens, where rays are distributed.
     LENS lens,
+    /// Indirect light that was solved ahead, where rays are distributed: [`Indirect`](crate::radiosity::Indirect).
+    RADIOSITY radiosity,
     /// Rough surfaces, where rays are distributed; they need [`Needs::MIRROR`].
     GLOSS gloss,
 }

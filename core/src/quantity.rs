@@ -35,6 +35,8 @@ pub enum Quantity {
     Clearance,
     /// Radiance, which saturates by design.
     Radiance,
+    /// The radiosity of a patch: the largest that is emitted, over 1 less the largest reflectance.
+    Radiosity,
 }
 
 impl fmt::Display for Quantity {
@@ -53,6 +55,7 @@ impl fmt::Display for Quantity {
             Self::Thinness => "largest over smallest radius",
             Self::Clearance => "four times a ray's clearance",
             Self::Radiance => "radiance (saturates)",
+            Self::Radiosity => "radiosity",
         })
     }
 }

@@ -27,12 +27,14 @@ mod positive;
 #[cfg(test)]
 #[cfg(feature = "f64")]
 pub(crate) mod read;
+mod sum;
 pub mod vector;
 
 pub use exponent::Exponent;
 pub use fixed::{Q16, Q20, Radiance};
 pub use magnitude::Magnitude;
 pub use positive::Positive;
+pub use sum::Summed;
 use vector::{LengthVector, UnitVector};
 
 /// A number whose size can be bounded.
@@ -199,7 +201,7 @@ pub trait Unit: Number + PartialOrd + Add<Output = Self> + Sub<Output = Self> + 
 
 /// A radiance, 0 or more; 1 is the brightest level of a display. Fixed point saturates at 2^15 on purpose: light that bright
 /// stays white through five faint reflections.
-pub trait Light: Number + PartialOrd {
+pub trait Light: Number + PartialOrd + Summed<Weight = <Self as Light>::Unit> {
     /// The type of the factors of a radiance.
     type Unit: Unit;
     /// No light.

@@ -266,7 +266,8 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Acceler
             scene.cover::<N>(surface, hit.object, branch.kind);
         }
         observer.hit(hit.as_ref(), Some(surface));
-        let mut light = ambient::<S, M, N>(&self.model, surface, scene.scene.ambient);
+        let solved = hit.filter(|_| N::RADIOSITY).and_then(|hit| dice.arriving(hit.object, surface));
+        let mut light = ambient::<S, M, N>(&self.model, surface, solved.unwrap_or(scene.scene.ambient));
         if N::EMISSION && !scene.scene.coats.is_empty() {
             light = light.plus(scene.emitted(surface));
         }

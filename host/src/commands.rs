@@ -8,5 +8,6 @@ pub mod gallery;
 pub mod hash;
 pub mod merge;
 pub mod pages;
+pub mod radiosity;
 pub mod render;
 pub mod show;

@@ -2,7 +2,7 @@
 //! runs.
 //!
 //! Everything about it that does not draw is beside it: [`admission`] proves that a scene fits a format, [`bands`] shares rows
-//! among threads, [`passes`] adds samples to a picture and [`callgrind`] counts instructions.
+//! among threads, [`radiosity`] solves for the light of diffuse surfaces, [`passes`] adds samples to a picture and [`callgrind`] counts instructions.
 
 use core::sync::atomic::AtomicBool;
 
@@ -28,6 +28,7 @@ pub mod interrupt;
 pub mod passes;
 pub mod probe;
 pub mod progress;
+pub mod radiosity;
 
 pub use rta_args::value::cutoff::{self, Cutoff};
 pub use rta_packets::picture::{MAX_DEPTH, PictureError as EngineError};

@@ -5,6 +5,7 @@
 use rta_scenes::bake::BakeError;
 
 use crate::engine::bands::BandsError;
+use crate::engine::radiosity::RadiosityError;
 use crate::picture::error::PictureError;
 use crate::picture::part::MergeError;
 use crate::picture::raster::Size;
@@ -30,6 +31,14 @@ pub enum Error {
     /// The scene cannot be turned into Rust source.
     #[error(transparent)]
     Bake(#[from] BakeError),
+    /// A scene's radiosity is not found.
+    #[error("{scene}: {source}")]
+    Radiosity {
+        /// The name of the scene's file.
+        scene: String,
+        /// Why.
+        source: RadiosityError,
+    },
     /// Parts make no picture.
     #[error(transparent)]
     Merge(#[from] MergeError),

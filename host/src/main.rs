@@ -7,7 +7,7 @@ use std::process::{self, ExitCode};
 
 use rta::args::{self, Command, ShowArgs};
 use rta::commands::show::window;
-use rta::commands::{bake, check, convert, explain, gallery, hash, merge, pages, render};
+use rta::commands::{bake, check, convert, explain, gallery, hash, merge, pages, radiosity, render};
 use rta::engine::interrupt;
 use rta::error::Error;
 use rta::study::{bench, compare, difference, figures, models, palette, report, stability, values};
@@ -63,6 +63,7 @@ fn run(command: Option<Command>) -> Result<(), Error> {
         None => window::run(&ShowArgs::default())?,
         Some(Command::Show(args)) => window::run(&args)?,
         Some(Command::Render(args)) => render::run(&args)?,
+        Some(Command::Radiosity(args)) => radiosity::run(&args)?,
         Some(Command::Juggle(args)) => render::juggle(&args)?,
         Some(Command::Merge(args)) => merge::run(&args)?,
         Some(Command::Report(args)) => report::run(&args)?,

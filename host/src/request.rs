@@ -4,14 +4,17 @@ pub mod error;
 pub mod fit;
 pub mod sampler;
 pub mod scene_file;
+pub mod solution;
 
 pub use rta_args::value::sampling;
 
 use std::borrow::Cow;
+use std::sync::Arc;
 
 use rta_args::value::until::Until;
 use rta_scenes::description::{Description, Settings};
 use rta_scenes::sampler::Sampler;
+use rta_scenes::solution::{Shown, Solved};
 
 use crate::args::TracingArgs;
 use crate::engine::{self, Cutoff, Engine, Format, MAX_DEPTH, Model};
@@ -23,7 +26,7 @@ use crate::picture::file::Caption;
 use crate::picture::raster::{Aspect, Size};
 use error::RequestError;
 use fit::Fit;
-use sampler::{SPREAD, Told, passes, put_lens, sampler, settling, with_paths};
+use sampler::{SPREAD, Told, is_of_paths, passes, put_lens, sampler, settling, with_paths};
 use scene_file::SceneFile;
 
 /// Depth of the rays where neither the command line nor the scene says it.
@@ -56,6 +59,8 @@ pub struct Request {
     pub fit: bool,
     /// When a picture that is traced in passes is done, if its number of samples does not say it.
     pub until: Option<Until>,
+    /// Radiosity that was solved for the scene.
+    pub light: Option<Arc<Solved>>,
 }
 
 /// Returns the colour table and the dithering that are asked for: those that look best on the device, unless others are. A table
@@ -87,6 +92,7 @@ impl Request {
             aspect,
             fit,
             until: None,
+            light: None,
         }
     }
 
@@ -94,7 +100,7 @@ impl Request {
     /// the scene has it.
     ///
     /// # Errors
-    /// [`RequestError::TableWithoutDevice`], and those of [`sampler()`] and [`Request::for_scene`].
+    /// [`RequestError::TableWithoutDevice`], and those of [`solution::open`], [`sampler()`] and [`Request::for_scene`].
     pub fn of_scene(asked: &TracingArgs, target: Target, scene: &SceneFile) -> Result<Self, RequestError> {
         if target == Target::None && (asked.table.is_some() || asked.dither.is_some()) {
             return Err(RequestError::TableWithoutDevice);
@@ -104,9 +110,15 @@ impl Request {
         let Settings { depth, .. } = *said;
         let depth = asked.depth.or(depth).map_or(request.depth, |depth| depth.min(MAX_DEPTH));
         let cutoff = asked.cutoff.or(Cutoff::of(said));
-        let sampling = sampler(&asked.spreading, Some(&scene.description), SPREAD)?;
+        let light = solution::open(&asked.light, scene)?;
+        let lit = light.as_ref().map(|light| scene.description.lit_by(light));
+        let description = lit.as_ref().unwrap_or(&scene.description);
+        let sampling = sampler(&asked.spreading, Some(description), SPREAD)?;
         let sampling = with_paths(sampling, asked.depth, false);
-        Ok(Self { depth, cutoff, sampling, ..request })
+        if light.is_some() && is_of_paths(&sampling) {
+            return Err(RequestError::Solved);
+        }
+        Ok(Self { depth, cutoff, sampling, light, ..request })
     }
 
     /// Returns the request of a picture that is traced in passes up to an end, if there is `until`; `asked` and `scene` are those of
@@ -225,6 +237,9 @@ impl Request {
             cutoff: self.cutoff,
             sampling: self.sampling,
         };
+        if let Some(light) = &self.light {
+            description = Cow::Owned(description.lit_by(light));
+        }
         if self.lens != (None, None) {
             put_lens(self.lens, description.to_mut());
         }
@@ -247,79 +262,13 @@ impl Request {
         for (length, name) in [(lens.0, "aperture"), (lens.1, "focus")] {
             settings += &length.map_or(String::new(), |length| format!(", {name} {length}"));
         }
+        if let Some(light) = &self.light {
+            let shown = if light.shown == Shown::All { "all" } else { "indirect" };
+            settings += &format!(", radiosity of {} patches, {shown}", light.solution.arriving.len());
+        }
         Caption { title: scene.title.clone(), settings }
     }
 }
 
 #[cfg(test)]
-mod tests {
-    use super::Request;
-    use crate::args::{ShowArgs, TracingArgs};
-    use crate::picture::error::PictureError;
-    use crate::request::error::RequestError;
-
-    use crate::picture::coloring::{DitherKind, TableKind};
-    use crate::picture::device::{Device, Target};
-    use crate::picture::raster::Size;
-
-    fn request(target: Target, size: Option<&str>, aspect: Option<&str>) -> Request {
-        let size = size.map(|text| text.parse().expect("a size"));
-        let aspect = aspect.map(|text| text.parse().expect("an aspect"));
-        Request { size, aspect, ..Request::of(&ShowArgs::default().tracing, target) }
-    }
-
-    #[test]
-    fn rasters_and_screens_follow_the_device() {
-        let vga = Target::On(Device::Vga);
-        let graphigs = Target::On(Device::Graphigs);
-        let cases = [
-            (vga, None, None, "320x200", 4.0 / 3.0),
-            (vga, Some("160x100"), None, "160x100", 4.0 / 3.0),
-            (vga, Some("100x100"), None, "100x100", 5.0 / 6.0),
-            (vga, Some("100x100"), Some("2:1"), "100x100", 2.0),
-            (graphigs, Some("512x256"), None, "512x256", 2.0),
-            (Target::On(Device::Pixrect), None, None, "1152x900", 1.28),
-            (Target::None, None, None, "320x200", 4.0 / 3.0),
-            (Target::None, Some("320x200"), None, "320x200", 4.0 / 3.0),
-            (Target::None, Some("640x400"), None, "640x400", 1.6),
-            (Target::None, None, Some("1"), "320x200", 1.0),
-        ];
-        for (target, size, aspect, want_size, want_aspect) in cases {
-            let (got, shape) = request(target, size, aspect).raster().expect("it fits");
-            assert_eq!(got.to_string(), want_size);
-            assert!((shape - want_aspect).abs() < 1e-12, "{target} {size:?} {aspect:?}: {shape}");
-        }
-    }
-
-    #[test]
-    fn what_does_not_fit_is_refused() {
-        let large = request(Target::On(Device::Vga), Some("320x201"), None).raster();
-        assert!(matches!(
-            large,
-            Err(RequestError::Picture(PictureError::LargerThanDevice { device: Device::Vga, .. }))
-        ));
-        let narrow = request(Target::None, Some("1x101"), None).raster();
-        assert!(matches!(narrow, Err(RequestError::Shape { .. })));
-        assert_eq!(
-            request(Target::None, Some("1x101"), Some("1")).raster().expect("told").0,
-            Size::new(1, 101).expect("small")
-        );
-    }
-
-    #[test]
-    fn dithering_follows_the_device_and_the_table() {
-        use DitherKind::{Bayer, Fs, None as Plain};
-        let cases = [
-            (Device::Vga, None, None, TableKind::Sampled, Plain),
-            (Device::Graphigs, None, None, TableKind::Sampled, Fs),
-            (Device::Pixrect, None, Some(Plain), TableKind::Sampled, Plain),
-            (Device::Pixrect, Some(TableKind::Tolerant), None, TableKind::Tolerant, Plain),
-            (Device::Vga, Some(TableKind::Uniform), Some(Bayer), TableKind::Uniform, Bayer),
-        ];
-        for (device, table, dither, want_table, want_dither) in cases {
-            let args = TracingArgs { table, dither, ..TracingArgs::default() };
-            let coloring = Request::of(&args, Target::On(device)).coloring;
-            assert_eq!((coloring.table, coloring.dither), (want_table, want_dither), "{device}");
-        }
-    }
-}
+mod tests;

@@ -50,6 +50,7 @@ mod coats;
 mod literal;
 mod model;
 mod module;
+mod quads;
 mod spectrum;
 mod spreads;
 #[cfg(test)]
@@ -72,6 +73,8 @@ pub struct Recipe {
     /// What spreads the rays of the samples; `None` for one sample in the middle of each pixel, a pinhole, point lamps, smooth surfaces, and
     /// what moves where it is in the middle of the time. Nothing is spread in a picture of several wavelengths.
     pub spreading: Option<Spreading>,
+    /// Whether the quads are in the source, so that the program can solve their radiosity. Those of a scene with solved light are in any case.
+    pub radiosity: bool,
 }
 
 /// Samples of a pixel whose rays are spread, unless a scene or a recipe says how many.
@@ -80,7 +83,7 @@ pub const SAMPLES: u32 = 4;
 impl Recipe {
     /// A recipe for a screen of 4 : 3 and the model `Rta`, by which nothing is spread.
     pub const fn new(format: Format) -> Self {
-        Self { format, aspect: 4.0 / 3.0, model: Model::Rta, spreading: None }
+        Self { format, aspect: 4.0 / 3.0, model: Model::Rta, spreading: None, radiosity: false }
     }
 
     /// A recipe for a screen of 4 : 3 as a scene has it: the model that its format was made for, and where something spreads rays, its
@@ -212,6 +215,8 @@ pub fn module(scene: &Description, name: &str, recipe: &Recipe) -> Result<String
 }
 
 fn source<S: Literal>(scene: &Description, name: &str, recipe: &Recipe) -> Result<String, BakeError> {
+    let unsolved = (recipe.radiosity && scene.details.light.is_none()).then(|| scene.unsolved());
+    let scene = unsolved.as_ref().unwrap_or(scene);
     let narrowed = narrow::<S>(scene, recipe.aspect)?;
     let hierarchy = bvh::build::<S>(scene);
     let limits = match hierarchy.bvh() {
@@ -228,6 +233,7 @@ fn source<S: Literal>(scene: &Description, name: &str, recipe: &Recipe) -> Resul
     let moves = |list: &str| spreads::moves(&narrowed, spreading, list);
     let lists = module::write(&mut source, name, (&narrowed, &hierarchy), limits, used, recipe, moves)
         .unwrap_or_default();
+    let _ = quads::write(&mut source, &narrowed);
     let _ = spreads::write(&mut source, &narrowed, spreading, &lists);
     let _ = spectrum::write(&mut source, &narrowed, &hierarchy, dispersive);
     let middle = middle(&narrowed, limits);

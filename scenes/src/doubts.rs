@@ -10,8 +10,11 @@ impl Description {
     pub(crate) fn look_over(&mut self) {
         let warnings = &mut self.warnings;
         let mut add = |text| warnings.push(Warning { line: 0, text });
+        let emits =
+            |own: &Material| own.emits.is_some_and(|light| light.iter().any(|register| *register > 0.0));
+        let emits = self.materials.iter().any(emits);
         let is_dark = |color: &Triple| color.iter().all(|register| *register == 0.0);
-        if self.lamps.iter().all(|lamp| is_dark(&lamp.color)) && is_dark(&self.ambient) {
+        if self.lamps.iter().all(|lamp| is_dark(&lamp.color)) && is_dark(&self.ambient) && !emits {
             add("the scene has no light: what does not mirror its background is black".into());
             return;
         }

@@ -22,10 +22,12 @@ mod coats;
 mod cone;
 mod error;
 mod formats;
+pub mod lit;
 mod materials;
 pub mod moving;
 mod plane;
 mod properties;
+pub mod quads;
 pub use properties::conductor;
 pub mod spectrum;
 pub mod spreads;
@@ -37,6 +39,7 @@ pub mod variant;
 use check::Checker;
 pub use check::exponent;
 pub use error::NarrowError;
+use lit::Lit;
 use materials::Materials;
 pub(crate) use materials::finishes;
 use spectrum::{Spectrum, Table, weights};
@@ -128,6 +131,8 @@ pub struct Narrowed<S: Narrow> {
     pub ambient: Rgb<S::Light>,
     /// What spreads rays.
     pub spreads: Spreads<S>,
+    /// Radiosity that was solved ahead.
+    pub lit: Option<Lit<S>>,
 }
 
 impl<S: Narrow> Narrowed<S> {
@@ -206,7 +211,8 @@ fn brought<S: Narrow>(description: &Description, aspect: f64) -> Result<Narrowed
     let held = description.has_motion().then(|| description.in_the_middle());
     let description = held.as_ref().unwrap_or(description);
     let shining = description.shining();
-    let lit = description.has_emitters().then(|| description.with_emitters());
+    let is_lit = description.has_emitters() || description.details.light.is_some();
+    let lit = is_lit.then(|| description.with_emitters());
     let description = lit.as_ref().unwrap_or(description);
     let is_dispersive = description.materials.iter().any(|material| material.dispersion.is_some());
     let count = description.settings.wavelengths.filter(|_| is_dispersive).unwrap_or(0);
@@ -312,5 +318,6 @@ fn brought<S: Narrow>(description: &Description, aspect: f64) -> Result<Narrowed
         },
         ambient: Checker::<S>::named("the ambient light").light(description.ambient)?,
         spreads,
+        lit: Lit::of(description)?,
     })
 }

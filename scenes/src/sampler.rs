@@ -9,6 +9,7 @@ use rta_core::scalar::{Light, Unit};
 pub use rta_core::trace::dice::Lamps;
 
 use crate::description::{Description, Material};
+use crate::solution::Shown;
 
 /// Where the samples of a pixel lie.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -74,7 +75,8 @@ impl Spreading {
 /// places that differ from point to point.
 #[must_use]
 pub fn lamps(scene: &Description) -> Lamps {
-    if scene.has_emitters() { Lamps::Area } else { Lamps::Point }
+    let is_whole = scene.details.light.as_ref().is_some_and(|light| light.shown == Shown::All);
+    if scene.has_emitters() && !is_whole { Lamps::Area } else { Lamps::Point }
 }
 
 /// Returns whether something in a scene spreads rays by itself, seen by a lens of the size `aperture`, if there is one: that lens, motion,
@@ -83,7 +85,7 @@ pub fn lamps(scene: &Description) -> Lamps {
 pub fn spreads(scene: &Description, aperture: Option<f64>) -> bool {
     let is_rough = |own: &Material| own.roughness.is_some_and(|roughness| roughness > 0.0);
     let has_lens = aperture.is_some_and(|aperture| aperture > 0.0);
-    let has_emitters = scene.has_emitters();
+    let has_emitters = scene.has_emitters() || scene.details.light.is_some();
     !is_spectral(scene)
         && (has_lens || has_emitters || scene.has_motion() || scene.materials.iter().any(is_rough))
 }

@@ -63,7 +63,7 @@ fn radiosity<S: Narrow>(scene: &Description, quad: &Quad, rules: Rules) -> [[f64
         Tracer::new(&admitted, Lambert::default(), 0).expect("not deep");
     let samples = Sobol::new(1, 0).expect("one");
     let asked = Spreading { samples, lamps: Lamps::Point, split: 1, integrator: Integrator::Whitted };
-    let spread = narrowed.spreads.spread(&asked);
+    let spread = narrowed.spread(&asked);
     let corners = quad.corners(&scene.triangles).expect("it has some");
     let mut sums = [[0.0; 2]; 3];
     for seed in 0..SEEDS {

@@ -72,6 +72,11 @@ impl<V: UnitVector> Frame<V> {
             V::Z
         };
         let first = axis.cross(shortest).normalize().map_or(shortest, |(first, _)| first);
+        Self::beside(axis, first)
+    }
+
+    /// Returns the frame of a unit vector whose first side is a unit vector at right angles to it.
+    pub fn beside(axis: V, first: V) -> Self {
         Self { axis, sides: [first, axis.cross(first)] }
     }
 

@@ -25,6 +25,10 @@ pub enum Purpose {
     Choice = 5,
     /// A step through the air.
     Air = 6,
+    /// A place on a patch from which light is gathered; x is the patch's number in its quadrilateral, y that of the quadrilateral.
+    Patch = 8,
+    /// The direction from which it is gathered.
+    Gather = 9,
 }
 
 impl Purpose {

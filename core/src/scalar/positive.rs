@@ -37,7 +37,7 @@ pub trait Positive: Number {
 
 /// Returns `2^places number`, rounded to the nearest; saturates.
 #[allow(clippy::cast_possible_truncation)] // at most 2^32 - 1
-fn bits(number: Magnitude, places: i32) -> u32 {
+pub(super) fn bits(number: Magnitude, places: i32) -> u32 {
     let (mantissa, exponent) = number.parts();
     match exponent + places {
         0 => mantissa,

@@ -7,10 +7,14 @@
 use core::fmt::Debug;
 
 use crate::camera::Aperture;
+use crate::color::Rgb;
 use crate::light::area::Square;
+use crate::radiosity::Indirect;
 use crate::ray::RayKind;
 use crate::sampling::pairs::{Pairs, Purpose, pair};
 use crate::scalar::{Scalar, Unit};
+use crate::scene::Object;
+use crate::surface::Surface;
 
 /// What the rays of a sample are spread by. It is handed on by value, so that [`Still`] dice take no memory.
 pub trait Dice<S: Scalar>: Copy {
@@ -41,6 +45,11 @@ pub trait Dice<S: Scalar>: Copy {
     where
         Self: 'd,
     {
+        None
+    }
+
+    /// Returns the light that a surface, a point of `object`, receives in the place of the scene's ambient light; `None` where it has that.
+    fn arriving(self, _object: Object, _surface: &Surface<S>) -> Option<Rgb<S::Light>> {
         None
     }
 
@@ -98,12 +107,21 @@ pub struct Spread<'a, S: Scalar> {
     /// Which triangles are faces of one body, for [`Lamps::Cone`]: a number for each, equal for those of one body, which follow one another, in
     /// the order of the scene's triangles; those beyond are bodies by themselves.
     pub bodies: &'a [u32],
+    /// Light that was solved ahead and takes the place of the scene's ambient light.
+    pub indirect: Option<Indirect<'a, S>>,
 }
 
 impl<S: Scalar> Spread<'_, S> {
     /// Nothing spreads.
-    pub const NONE: Self =
-        Self { lamps: Lamps::Point, split: 1, squares: &[], aperture: None, roughness: &[], bodies: &[] };
+    pub const NONE: Self = Self {
+        lamps: Lamps::Point,
+        split: 1,
+        squares: &[],
+        aperture: None,
+        roughness: &[],
+        bodies: &[],
+        indirect: None,
+    };
 }
 
 /// Which sample of a picture is traced.
@@ -181,6 +199,10 @@ impl<S: Scalar> Dice<S> for &Thrown<'_, S> {
         Self: 'd,
     {
         (self.spread.lamps == Lamps::Cone).then_some(self.spread.bodies)
+    }
+
+    fn arriving(self, object: Object, surface: &Surface<S>) -> Option<Rgb<S::Light>> {
+        self.spread.indirect.as_ref().map(|indirect| indirect.at(object, surface))
     }
 
     fn square<'d>(self, lamp: usize) -> Option<&'d Square<S>>

@@ -4,8 +4,10 @@
 mod advice;
 mod choice;
 mod explain;
+pub mod light;
 mod pages;
 mod picture;
+pub mod radiosity;
 mod scene;
 pub mod spreading;
 mod study;
@@ -18,6 +20,7 @@ pub use advice::parse;
 pub use explain::{Choice, ExplainArgs};
 pub use pages::{CompletionsArgs, ManArgs};
 pub use picture::{DrawingArgs, FilmArgs, HashArgs, JuggleArgs, MergeArgs, RenderArgs, ShowArgs};
+pub use radiosity::RadiosityArgs;
 pub use scene::{BakeArgs, CheckArgs, ConvertArgs, ReadingArgs};
 pub use study::{
     BenchArgs, CompareArgs, DifferenceArgs, FiguresArgs, GalleryArgs, IndexingArgs, InstructionsArgs,
@@ -78,6 +81,12 @@ pub enum Command {
     /// It is, byte for byte, the one that rta render makes of the whole. Parts that are cut off or damaged, overlap, leave a gap, or
     /// belong to other settings or another scene are refused.
     Merge(MergeArgs),
+    /// Solve for the light that diffuse surfaces send to each other
+    ///
+    /// Quads, boxes, triangles and polygons are divided into patches, and what each receives from all others is found: once, for all
+    /// eyes (Goral, Torrance, Greenberg and Battaile 1984). One row for each quad with the mean of its radiosity, which is pi times
+    /// the radiance of its surface, and the energy balance. What emits is a quad whose material says so. The solution is kept with -o.
+    Radiosity(RadiosityArgs),
     /// Put every number format through the cases that break ray tracers, beside f64
     ///
     /// One row for each case and format: panics, overflows, lights that are no number, points that shadow themselves,

@@ -9,6 +9,7 @@ use rta_scenes::description::{Air, Shading};
 use rta_scenes::pictures::LARGEST_SIDE;
 
 use super::choice;
+use super::light::LightArgs;
 use crate::spreading::SpreadArgs;
 use crate::value::device::Device;
 use crate::value::raster::{Aspect, Size};
@@ -148,6 +149,12 @@ pub struct BakeArgs {
     /// What spreads rays
     #[command(flatten)]
     pub spread: SpreadArgs,
+    /// Light that was solved: it is put into flash
+    #[command(flatten)]
+    pub light: LightArgs,
+    /// Put the quads of the scene into the source, so that the program can solve for their radiosity itself
+    #[arg(long, conflicts_with = "light")]
+    pub radiosity: bool,
     /// Scale the scene by a power of two if it does not fit the number format (not one with a floor)
     #[arg(long)]
     pub fit: bool,

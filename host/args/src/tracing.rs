@@ -3,6 +3,7 @@
 use clap::Args;
 
 use super::choice;
+use super::light::LightArgs;
 use super::scene::ReadingArgs;
 use super::spreading::SpreadingArgs;
 use crate::value::coloring::{DitherKind, SAMPLES, TableKind};
@@ -36,6 +37,9 @@ pub struct TracingArgs {
     /// Samples, and what spreads their rays
     #[command(flatten)]
     pub spreading: SpreadingArgs,
+    /// Light that was solved
+    #[command(flatten)]
+    pub light: LightArgs,
     /// Colour table of the device [default: sampled]
     #[arg(short, long, value_enum, ignore_case = true)]
     pub table: Option<TableKind>,
@@ -75,6 +79,7 @@ impl Default for TracingArgs {
             depth: None,
             cutoff: None,
             spreading: SpreadingArgs::default(),
+            light: LightArgs::default(),
             table: None,
             dither: None,
             table_samples: SAMPLES,

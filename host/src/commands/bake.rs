@@ -22,6 +22,7 @@ use crate::request::error::RequestError;
 use crate::request::fit::Fit;
 use crate::request::sampler::{self, put_lens};
 use crate::request::scene_file::SceneFile;
+use crate::request::solution;
 
 /// Runs `rta bake`: writes the source of a scene.
 ///
@@ -31,13 +32,16 @@ pub fn run(args: &BakeArgs) -> Result<(), Error> {
     let reading = Reading::from(args.reading);
     let reading = Reading { texels: reading.texels.or(Some(bake::TEXELS)), ..reading };
     let mut scene = SceneFile::open_as(&args.scene, reading)?;
+    if let Some(light) = solution::open(&args.light, &scene)? {
+        scene.description = scene.description.lit_by(&light);
+    }
     let spreading = spreading(args, &scene.description)?;
     put_lens((args.spread.aperture, args.spread.focus), &mut scene.description);
     let aspect = args.aspect.ratio();
     let model = args.model.unwrap_or(scene.description.model);
     let fit = Fit { format: args.format, aspect, model: Some(model), depth: 0, asked: args.fit };
     let description = fit.scaled(&scene);
-    let recipe = Recipe { format: args.format, aspect, model, spreading };
+    let recipe = Recipe { format: args.format, aspect, model, spreading, radiosity: args.radiosity };
     let source = match bake::module(&description, &scene.title, &recipe) {
         Ok(source) => source,
         Err(BakeError::Narrow(error)) => return Err(fit.refused(&scene, error.into()).into()),

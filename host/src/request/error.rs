@@ -8,6 +8,7 @@ use rta_scenes::error::{Found, SceneError};
 use rta_scenes::fit::FloorError;
 use rta_scenes::pictures::PictureError as LoadError;
 
+use super::solution::SolutionError;
 use crate::engine::admission::Refusal;
 use crate::engine::{EngineError, Format};
 use crate::picture::error::{PictureError, reason};
@@ -28,6 +29,22 @@ pub enum RequestError {
     /// The scene file is not a scene.
     #[error("{_0}{}", lenient_helps(_0))]
     Scene(#[from] SceneError),
+    /// The file of solved radiosity cannot be opened or read.
+    #[error("cannot read the radiosity {name}: {}", reason(source))]
+    NoLight {
+        /// The file.
+        name: String,
+        /// What the system says.
+        source: io::Error,
+    },
+    /// It is none of the scene.
+    #[error("{name}: {source}")]
+    Light {
+        /// The file.
+        name: String,
+        /// Why.
+        source: SolutionError,
+    },
     /// A picture that the scene names cannot be used.
     #[error("{name}: {source}")]
     Texture {
@@ -112,6 +129,9 @@ pub enum RequestError {
     /// A grid of samples for a picture that is traced in passes.
     #[error("{_0} adds samples to those that are there, and a --sampler grid has all of its samples at once")]
     Passes(&'static str),
+    /// Paths in a scene whose light was solved ahead.
+    #[error("--integrator paths finds all light itself, and --light has it solved ahead")]
+    Solved,
     /// Paths in a scene in which something moves.
     #[error("--integrator paths is for scenes in which nothing moves, and in this one something does")]
     Moving,

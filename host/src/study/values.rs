@@ -17,6 +17,7 @@ mod frame;
 mod functions;
 mod mesh;
 mod notation;
+mod radiosity;
 mod spectrum;
 mod spreading;
 mod texture;
@@ -49,7 +50,8 @@ impl Comparison {
 
 /// Returns all functions, as they are computed in the format `S`.
 fn all<S: Narrow>() -> Vec<Function> {
-    [functions::all::<S>(), texture::all::<S>(), mesh::all::<S>(), spreading::all::<S>()].concat()
+    [functions::all::<S>(), texture::all::<S>(), mesh::all::<S>(), spreading::all::<S>(), radiosity::all()]
+        .concat()
 }
 
 /// Returns the names of all functions.

@@ -23,6 +23,7 @@ pub(super) fn used<S: Literal>(scene: &Narrowed<S>, spreading: Option<&Spreading
         area_lamps,
         square_lamps: area_lamps && has_squares,
         cone_lamps: area_lamps && spreading.lamps == Lamps::Cone,
+        radiosity: scene.lit.is_some(),
         lens: scene.spreads.aperture.is_some(),
         gloss: used.mirror && !scene.spreads.roughness.is_empty(),
         ..used
@@ -66,7 +67,7 @@ pub(super) fn write<S: Literal>(
     writeln!(out, "\n/// What spreads rays.\n{ALLOW}")?;
     writeln!(out, "pub static SPREAD: ::rta_core::trace::dice::Spread<'static, Number> = {{")?;
     write_names(out, S::CONSTRUCTORS)?;
-    write_spread(out, &spreading.map_or(Spread::NONE, |spreading| scene.spreads.spread(spreading)))?;
+    write_spread(out, &spreading.map_or(Spread::NONE, |spreading| scene.spread(spreading)))?;
     let motions = spreading.map_or(&[][..], |_| &scene.spreads.motions);
     let motion = "::rta_core::trace::moving::Motion";
     writeln!(out, "}};\n\n/// What moves while the shutter is open.\n{ALLOW}")?;
@@ -83,7 +84,7 @@ pub(super) fn write<S: Literal>(
 
 /// Writes the fields of what spreads, within an item.
 fn write_spread<S: Literal>(out: &mut impl Write, spread: &Spread<S>) -> fmt::Result {
-    let Spread { lamps, split, squares, aperture, roughness, bodies } = spread;
+    let Spread { lamps, split, squares, aperture, roughness, bodies, indirect: _ } = spread;
     let square = |square: &Option<Square<S>>| {
         let Some(Square { corner, edges, normal, least: (least, inverse) }) = square else {
             return "None".to_owned();
@@ -113,7 +114,7 @@ fn write_spread<S: Literal>(out: &mut impl Write, spread: &Spread<S>) -> fmt::Re
         out,
         "    ::rta_core::trace::dice::Spread {{\n        lamps: ::rta_core::trace::dice::Lamps::{lamps:?},\n        \
          split: {split},\n        squares: const {{ &[{}] }},\n        aperture: {aperture},\n        \
-         roughness: const {{ &[{}] }},\n        bodies: &{bodies:?},\n    }}",
+         roughness: const {{ &[{}] }},\n        bodies: &{bodies:?},\n        indirect: None,\n    }}",
         squares.join(", "),
         roughness.join(", ")
     )

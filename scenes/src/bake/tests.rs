@@ -10,7 +10,7 @@ use crate::sampler::{Lamps, Spreading};
 use crate::{dat, shipped};
 
 /// What a scene without coats, and of which no rays are spread, leaves out.
-const UNCOVERED: [&str; 14] = [
+const UNCOVERED: [&str; 16] = [
     "COATS",
     "CHECKER",
     "MARBLE",
@@ -18,12 +18,14 @@ const UNCOVERED: [&str; 14] = [
     "IMAGES",
     "BUMPS",
     "SURROUNDINGS",
+    "EMISSION",
     "MESHES",
     "SKY_MAP",
     "AREA_LAMPS",
     "SQUARE_LAMPS",
     "CONE_LAMPS",
     "LENS",
+    "RADIOSITY",
     "GLOSS",
 ];
 

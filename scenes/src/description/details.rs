@@ -7,6 +7,7 @@ use rta_core::scene::Object;
 use rta_core::texture::Shading;
 
 use super::{Journey, Path, Pixels};
+use crate::solution::Solved;
 
 /// What few objects, lamps, floors and skies have.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -27,6 +28,8 @@ pub struct Details {
     pub journey: Option<Journey>,
     /// The paths of lamps that move, by the lamps' numbers, from 0.
     pub lamp_paths: BTreeMap<usize, String>,
+    /// Radiosity that was solved ahead.
+    pub light: Option<Arc<Solved>>,
     /// The pictures that the scene names, by the names of their files, as far as they were [loaded](super::Description::load_pictures).
     pub pictures: BTreeMap<String, Arc<Pixels>>,
 }

@@ -3,6 +3,7 @@
 use rta_core::scene::Object;
 
 use super::{Description, FallOff, Lamp, LampShape, Material, Surface, Triangle};
+use crate::solution::Shown;
 use crate::space::{Triple, cross, difference, length};
 
 /// A quadrilateral among the [triangles](Description::triangles) of a scene, whose places, colour and material are theirs. Its outside is
@@ -113,6 +114,9 @@ impl Description {
     /// Returns the lamps that [`Description::with_emitters`] adds, in the order of their numbers.
     #[must_use]
     pub fn shining(&self) -> Vec<Shining> {
+        if self.is_solved() {
+            return Vec::new();
+        }
         let lit = self.quads.iter().filter(|quad| self.emission(quad).is_some());
         let found = lit.filter_map(|quad| {
             let [first, second] = edges(quad.shining(quad.corners(&self.triangles)?));
@@ -122,6 +126,11 @@ impl Description {
         });
         let numbers = u32::try_from(self.lamps.len()).unwrap_or(u32::MAX)..;
         numbers.zip(found).map(|(lamp, (triangle, area))| Shining { lamp, triangle, area }).collect()
+    }
+
+    /// Returns whether all light was solved ahead, so that there are no lamps.
+    fn is_solved(&self) -> bool {
+        self.details.light.as_ref().is_some_and(|light| light.shown == Shown::All)
     }
 
     /// Returns whether a quad emits light.
@@ -139,16 +148,25 @@ impl Description {
     }
 
     /// Returns the scene as it is traced: what of a quad does not emit has a material that does not, and each quad that emits is also a lamp of
-    /// the same light, a parallelogram of its area and of the means of its opposite edges.
+    /// the same light, a parallelogram of its area and of the means of its opposite edges. Where all light was solved ahead there are no
+    /// lamps.
     #[must_use]
     pub fn with_emitters(&self) -> Self {
         let mut scene = self.clone();
+        let is_whole = self.is_solved();
+        if is_whole {
+            scene.lamps.clear();
+            scene.details.lamps.clear();
+        }
         for quad in &self.quads {
             let (Some(light), Some(corners)) = (self.emission(quad), quad.corners(&self.triangles)) else {
                 continue;
             };
             if quad.emitting.is_some() {
                 scene.darken(quad);
+            }
+            if is_whole {
+                continue;
             }
             let corners = quad.shining(corners);
             let edges = edges(corners);

@@ -9,7 +9,7 @@ use rta_core::vector::{UnitVector, Vector};
 
 use super::check::Checker;
 use super::moving::motions;
-use super::{Narrow, NarrowError};
+use super::{Narrow, NarrowError, Narrowed};
 use crate::description::{Description, LampShape, Material, Shining};
 use crate::sampler::Spreading;
 use crate::space::{cross, length, unit};
@@ -31,19 +31,23 @@ pub struct Spreads<S: Narrow> {
     pub motions: Vec<Motion<S>>,
 }
 
-impl<S: Narrow> Spreads<S> {
+impl<S: Narrow> Narrowed<S> {
     /// Returns what spreads, borrowed, where lamps are asked as `asked` says.
     pub fn spread(&self, asked: &Spreading) -> Spread<'_, S> {
+        let Spreads { squares, aperture, roughness, bodies, .. } = &self.spreads;
         Spread {
             lamps: asked.lamps,
             split: asked.split,
-            squares: &self.squares,
-            aperture: self.aperture,
-            roughness: &self.roughness,
-            bodies: &self.bodies,
+            squares,
+            aperture: *aperture,
+            roughness,
+            bodies,
+            indirect: self.lit.as_ref().and_then(|lit| lit.indirect(&self.scene())),
         }
     }
+}
 
+impl<S: Narrow> Spreads<S> {
     pub(super) fn of(
         description: &Description,
         said: &[Material],

@@ -7,6 +7,7 @@
 //! | `RTA_FORMAT` | `q16`, `q20` or `f32` | `q16` |
 //! | `RTA_LAMPS` | `point`; `area`: places on lamps with a size, so that shadows have soft edges | `point` |
 //! | `RTA_SAMPLES` | samples of a pixel, a power of two | where something spreads rays, what the scene says, or 4 |
+//! | `RTA_LIGHT` | `lamps`; `radiosity`: the board solves for the indirect light, too | `lamps` |
 //! | `RTA_NEEDS` | `baked`: only what the scene needs; `everything` | `baked` |
 //! | `RTA_COLORS` | `standard`: the board's own colour table; `sampled`: a palette made for the picture; `dithered`: that, with error diffusion | `standard` |
 //! | `RTA_SIZE` | width and height in pixels | `160x100` |
@@ -48,12 +49,17 @@ fn main() -> Result<(), Box<dyn Error>> {
         "" => None,
         number => Some(Sobol::new(number.parse()?, 0).ok_or("RTA_SAMPLES is a number from 1 to 16384")?),
     };
+    let radiosity = match variable("RTA_LIGHT", "lamps").as_str() {
+        "lamps" => false,
+        "radiosity" => true,
+        other => return Err(format!("RTA_LIGHT is lamps or radiosity, not {other}").into()),
+    };
     let scene = bake_by(file, |scene| {
         let recipe = Recipe::of(format, scene);
         let model = model.unwrap_or(recipe.model);
         let natural = Spreading::of(scene, lamps, SAMPLES);
         let spreading = samples.map_or(natural, |samples| Some(Spreading { samples, lamps, split: 1, integrator: Integrator::Whitted }));
-        Recipe { model, spreading, ..recipe }
+        Recipe { model, spreading, radiosity, ..recipe }
     })?;
     let (needs, baked) = match variable("RTA_NEEDS", "baked").as_str() {
         "baked" => ("scene::Needs", true),

@@ -43,7 +43,7 @@ impl<S: Format, M: Illumination<S> + Clone> Moving<S, M> {
         if let Some((numerator, denominator)) = cutoff {
             tracer = tracer.with_cutoff(S::Unit::ratio(numerator, denominator));
         }
-        let spread = scene.spreads.spread(&self.spreading);
+        let spread = scene.spread(&self.spreading);
         let still = Distributed { tracer, spread: &spread, seed };
         Some(draw(&Traced { still, motions: &scene.spreads.motions, room: PhantomData }))
     }

@@ -32,7 +32,7 @@ impl<S: Format, M: Illumination<S> + Clone> Pathed<S, M> {
     fn with_tracer<R>(&self, seed: u32, draw: impl FnOnce(&Traced<'_, S, M>) -> R) -> Option<R> {
         let ready = &self.still.ready;
         let admitted = ready.admitted();
-        let spread = ready.scene.spreads.spread(&self.spreading);
+        let spread = ready.scene.spread(&self.spreading);
         // There is a tracer: the depth was checked when the picture was made ready.
         let tracer = self.still.tracer(&admitted)?;
         let spread = Distributed { tracer, spread: &spread, seed };

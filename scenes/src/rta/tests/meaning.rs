@@ -105,7 +105,7 @@ fn everything_is_somewhere() {
     assert!(x > 500.0 && (x + y).abs() < 1e-9 && (z - 2.0 * x).abs() < 1e-9, "{:?}", far.position);
     assert_eq!((all.spheres.len(), all.ellipsoids.len(), all.cones.len(), all.planes.len()), (1, 2, 1, 1));
     assert!(all.ellipsoids[0].inside_only && all.ellipsoids[0].radii == [1.0; 3] && all.cones[0].capped);
-    assert_eq!((all.triangles.len(), all.details.objects.len()), (3, 8));
+    assert_eq!((all.triangles.len(), all.details.objects.len()), (25, 30));
     let [swing, lift] = all.details.paths.as_slice() else { panic!("two paths") };
     assert_eq!((swing.linear, swing.keyframes.len(), lift.linear, lift.keyframes.len()), (false, 3, true, 2));
 }

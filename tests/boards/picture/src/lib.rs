@@ -8,9 +8,14 @@ pub mod stream;
 
 use core::marker::PhantomData;
 
+use rta_core::Scalar;
+use rta_core::accelerator::Accelerator;
 use rta_core::color::Rgb;
+use rta_core::radiosity::{Indirect, Mesh, Rays, Solution, Solver, Stop};
+use rta_core::range::Admitted;
 use rta_core::raster::lattice::Lattice;
 use rta_core::raster::{Center, Pixels, Places, Raster};
+use rta_core::trace::dice::Spread;
 use rta_core::trace::moving::Moving;
 use rta_core::trace::{Distributed, Spectrum, Trace, Tracer};
 use rta_drivers::checksum::{Checksum, Unseen};
@@ -35,6 +40,9 @@ enum Colors {
     /// By such a palette, with error diffusion.
     Dithered,
 }
+
+/// Rays of a patch, where radiosity is solved.
+const RAYS: u32 = 64;
 
 /// The most samples of which a palette is made: a sixteenth of the pixels of 160 x 100. They are 3 KiB on the stack.
 const SAMPLES: usize = 1024;
@@ -152,6 +160,16 @@ fn draw_sized<D: Drawing>(
         return drawing.draw(&spectrum, Center, raster);
     }
     if SPREADS && let Some(samples) = scene::SAMPLES {
+        if scene::PATCHES > 0 {
+            let mut memory = [[Rgb::BLACK; scene::PATCHES]; 2];
+            let indirect = indirect(scene, &mut memory);
+            let spread = Spread { indirect, ..scene::SPREAD };
+            return drawing.draw(
+                &Distributed { tracer, spread: &spread, seed: samples.seed() },
+                samples,
+                raster,
+            );
+        }
         let still = Distributed { tracer, spread: &scene::SPREAD, seed: samples.seed() };
         if MOVES {
             let room = PhantomData::<fn() -> scene::Room>;
@@ -160,6 +178,28 @@ fn draw_sized<D: Drawing>(
         return drawing.draw(&still, samples, raster);
     }
     drawing.draw(&tracer, Center, raster)
+}
+
+/// Radiance of the scene's format.
+type Light = <scene::Number as Scalar>::Light;
+
+/// Returns the indirect light of the scene, as it was solved ahead or else as it is solved now, in the memory.
+// By itself, so that what it needs of the stack is free again when the picture is drawn.
+#[inline(never)]
+fn indirect<'a, A: Accelerator<scene::Number>>(
+    scene: &Admitted<'a, scene::Number, A>,
+    memory: &'a mut [[Rgb<Light>; scene::PATCHES]; 2],
+) -> Option<Indirect<'a, scene::Number>> {
+    let mesh = Mesh::new(&scene::QUADS, &scene.scene).ok()?;
+    if !scene::ARRIVING.is_empty() {
+        let arriving = Solution::new(mesh, &scene::ARRIVING).ok()?;
+        return Some(Indirect { arriving, elsewhere: scene::ELSEWHERE });
+    }
+    let [reflected, arriving] = memory;
+    let solver = Solver::<_, Needs, _, A>::new(scene, mesh, Rays { count: RAYS, seed: 0 }, 0);
+    solver.solve(reflected, Some(arriving), Stop::default()).ok()?;
+    let elsewhere = solver.over_pi(reflected, arriving).ok()?;
+    Some(Indirect { arriving: Solution::new(mesh, arriving).ok()?, elsewhere })
 }
 
 /// A picture on a display with a colour table.
