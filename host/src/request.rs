@@ -26,7 +26,7 @@ use crate::picture::file::Caption;
 use crate::picture::raster::{Aspect, Size};
 use error::RequestError;
 use fit::Fit;
-use sampler::{SPREAD, Told, passes, put_lens, sampler, settling, with_paths};
+use sampler::{SPREAD, Told, is_of_paths, passes, put_lens, sampler, settling, with_paths};
 use scene_file::SceneFile;
 
 /// Depth of the rays where neither the command line nor the scene says it.
@@ -115,6 +115,9 @@ impl Request {
         let drawn = lit.as_ref().unwrap_or(&scene.description).drawn_by(request.model);
         let sampling = sampler(&asked.spreading, Some(&drawn), SPREAD)?;
         let sampling = with_paths(sampling, asked.depth, false);
+        if light.is_some() && is_of_paths(&sampling) {
+            return Err(RequestError::Solved);
+        }
         Ok(Self { depth, cutoff, sampling, light, ..request })
     }
 

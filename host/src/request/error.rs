@@ -132,6 +132,9 @@ pub enum RequestError {
     /// A grid of samples for a picture that is traced in passes.
     #[error("{_0} adds samples to those that are there, and a --sampler grid has all of its samples at once")]
     Passes(&'static str),
+    /// Paths in a scene whose light was solved ahead.
+    #[error("--integrator paths finds all light itself, and --light has it solved ahead")]
+    Solved,
     /// Paths in a scene in which something moves.
     #[error("--integrator paths is for scenes in which nothing moves, and in this one something does")]
     Moving,

@@ -143,6 +143,13 @@ pub fn with_paths(sampler: Sampler, most: Option<u32>, is_linear: bool) -> Sampl
     }
 }
 
+/// Returns whether samples are paths.
+#[must_use]
+pub fn is_of_paths(sampler: &Sampler) -> bool {
+    let integrator = sampler.spreading().map(|spreading| spreading.integrator);
+    matches!(integrator, Some(Integrator::Paths { .. }))
+}
+
 /// Puts the lens of the options into a scene.
 pub fn put_lens(asked: (Option<f64>, Option<f64>), scene: &mut Description) {
     let (aperture, focus) = asked;

@@ -114,6 +114,9 @@ impl Description {
     /// Returns the lamps that [`Description::with_emitters`] adds, in the order of their numbers.
     #[must_use]
     pub fn shining(&self) -> Vec<Shining> {
+        if self.is_solved() {
+            return Vec::new();
+        }
         let lit = self.quads.iter().filter(|quad| self.emission(quad).is_some());
         let found = lit.filter_map(|quad| {
             let [first, second] = edges(quad.shining(quad.corners(&self.triangles)?));
@@ -123,6 +126,11 @@ impl Description {
         });
         let numbers = u32::try_from(self.lamps.len()).unwrap_or(u32::MAX)..;
         numbers.zip(found).map(|(lamp, (triangle, area))| Shining { lamp, triangle, area }).collect()
+    }
+
+    /// Returns whether all light was solved ahead, so that there are no lamps.
+    fn is_solved(&self) -> bool {
+        self.details.light.as_ref().is_some_and(|light| light.shown == Shown::All)
     }
 
     /// Returns whether a quad emits light.
@@ -145,7 +153,7 @@ impl Description {
     #[must_use]
     pub fn with_emitters(&self) -> Self {
         let mut scene = self.clone();
-        let is_whole = self.details.light.as_ref().is_some_and(|light| light.shown == Shown::All);
+        let is_whole = self.is_solved();
         if is_whole {
             scene.lamps.clear();
             scene.details.lamps.clear();

@@ -118,7 +118,8 @@ fn panels(radiance: f64) -> Panels {
         let corner = place::<f64>(corner);
         let edges = [place::<f64>(first) - corner, place::<f64>(second) - corner];
         let least = 2.0 / 64.0;
-        Some(Square { corner, edges, normal: direction::<f64>(normal), least: (least, 1.0 / least) })
+        let middle = place::<f64>(normal.map(|c| -c));
+        Some(Square { corner, middle, edges, normal: direction::<f64>(normal), least: (least, 1.0 / least) })
     });
     let lamps = sides().map(|(_, normal)| {
         let middle = normal.map(|c| -c);

@@ -60,8 +60,13 @@ fn room(material: Material<f64>, roughness: f64, ways: &[Rules]) -> [[f64; 2]; 4
     let corner = place::<f64>(corners[0]);
     let edges = [place::<f64>(corners[1]) - corner, place::<f64>(corners[2]) - corner];
     let least = 2.0 / 64.0;
-    let squares =
-        [Some(Square { corner, edges, normal: direction::<f64>(down), least: (least, 1.0 / least) })];
+    let squares = [Some(Square {
+        corner,
+        middle: place::<f64>([0.0, 1.5, 2.0]),
+        edges,
+        normal: direction::<f64>(down),
+        least: (least, 1.0 / least),
+    })];
     let mut lamp = [Lamp::white(place::<f64>([0.0, 1.5, 2.0]), 0.0, 1)];
     lamp[0].power = <f64 as Positive>::new(3, 0) * 4.0 / PI;
     let emitters = [Emitter { lamp: 0, triangle: 0, area: 4.0 }];
