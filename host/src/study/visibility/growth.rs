@@ -7,12 +7,12 @@ use super::comparison::Comparison;
 /// The numbers of faces of the table of 1974.
 pub const FACES: [usize; 3] = [100, 2500, 60_000];
 
-/// The relative costs of the table of 1974, with the algorithm of ours that is the nearest.
-pub const TABLE: [(&str, &str, [u32; 3]); 4] = [
-    ("depth sort, 1974", "painter", [1, 10, 507]),
-    ("scan-line, 1974", "scan-line", [5, 21, 100]),
-    ("Warnock, 1974", "area subdivision", [11, 64, 307]),
-    ("Z-buffer, 1974", "z-buffer", [54, 54, 54]),
+/// The relative costs of the table of 1974. The depth sort is that of M. Newell, R. Newell and T. Sancha, in the place of the painter's tree.
+pub const TABLE: [(&str, [u32; 3]); 4] = [
+    ("depth sort, 1974", [1, 10, 507]),
+    ("scan-line, 1974", [5, 21, 100]),
+    ("Warnock, 1974", [11, 64, 307]),
+    ("Z-buffer, 1974", [54, 54, 54]),
 ];
 
 /// What all algorithms cost at one number of faces.
@@ -77,7 +77,7 @@ pub fn crossings(costs: &[Cost]) -> Vec<Crossing> {
 
 #[cfg(test)]
 mod tests {
-    use super::{ALL, Cost, Crossing, TABLE, crossings};
+    use super::{ALL, Cost, Crossing, crossings};
 
     #[test]
     fn costs_cross_where_powers_do() {
@@ -91,10 +91,5 @@ mod tests {
         let [Crossing { few, many, faces }] = found[..] else { panic!("{found:?}") };
         assert_eq!((few, many), (ALL[0].name, ALL[1].name));
         assert!((faces - 1000.0).abs() < 1e-6, "{faces}");
-    }
-
-    #[test]
-    fn the_table_names_algorithms_of_the_list() {
-        assert!(TABLE.iter().all(|(_, name, _)| ALL.iter().any(|algorithm| algorithm.name == *name)));
     }
 }

@@ -92,7 +92,7 @@ pub fn growth(costs: &[Cost], crossings: &[Crossing]) -> String {
     let head: Vec<_> =
         ["Sutherland, Sproull and Schumacker"].into_iter().chain(heads.iter().map(String::as_str)).collect();
     let rows: Vec<_> =
-        TABLE.iter().map(|(name, _, costs)| row(name, costs.map(|cost| cost.to_string()).to_vec())).collect();
+        TABLE.iter().map(|(name, costs)| row(name, costs.map(|cost| cost.to_string()).to_vec())).collect();
     text += &(table(&head, &rows, 1) + "\n");
     for Crossing { few, many, faces } in crossings {
         text += &format!("- {few} is cheaper than {many} below {faces:.0} faces, and dearer above\n");

@@ -5,14 +5,14 @@ use fastrand::Rng;
 
 use rta_scenes::shipped;
 
-use super::comparison::Comparison;
+use super::comparison::{Apart, Comparison};
 use super::eye::Seen;
 use super::faces::Faces;
 use super::integer::{Cover, View};
 use super::outcome::Outcome;
 use super::samples::{layers, random, ring, sheet, view};
 use super::scanplane::distance;
-use super::{casting, painter, scanline, scanplane, subdivision, zbuffer};
+use super::{casting, page, painter, scanline, scanplane, subdivision, zbuffer};
 use crate::picture::raster::Size;
 
 /// Returns the picture that all algorithms agree on, byte for byte, but for the continuous one, whose samples may differ within 1e-9 of an edge.
@@ -229,4 +229,25 @@ fn nothing_and_little_are_drawn() {
         [[0, 0, -5], [5, 0, -5], [0, 5, -5]],
     ];
     assert!(view((4, 4), &none).triangles.is_empty());
+}
+
+#[test]
+fn one_other_id_is_told() {
+    let comparison = Comparison::new(&view((16, 16), &ring()));
+    let told = |number: usize, apart| {
+        let mut comparison = comparison.clone();
+        let run = comparison.runs[number].1.as_mut().expect("it is run");
+        run.apart = apart;
+        let text = page::comparison(&comparison);
+        assert_eq!(text.ends_with("all ids are equal\n"), comparison.is_equal());
+        (comparison.is_equal(), text.matches("DIFFER").count())
+    };
+    let last = comparison.runs.len() - 1;
+    let (at_edge, elsewhere) = (Apart { at_edges: 1, elsewhere: 0 }, Apart { at_edges: 0, elsewhere: 1 });
+    assert_eq!(
+        [told(2, Apart::default()), told(2, at_edge), told(2, elsewhere)],
+        [(true, 0), (false, 2), (false, 2)]
+    );
+    // Only what rounds may differ at edges.
+    assert_eq!([told(last, at_edge), told(last, elsewhere)], [(true, 0), (false, 2)]);
 }
