@@ -58,7 +58,9 @@ fn main() -> Result<(), Box<dyn Error>> {
         let recipe = Recipe::of(format, scene);
         let model = model.unwrap_or(recipe.model);
         let natural = Spreading::of(scene, lamps, SAMPLES);
-        let spreading = samples.map_or(natural, |samples| Some(Spreading { samples, lamps, split: 1, integrator: Integrator::Whitted }));
+        let integrator = Integrator::Whitted;
+        let asked = |samples| Some(Spreading { samples, lamps, split: 1, integrator });
+        let spreading = samples.map_or(natural, asked);
         Recipe { model, spreading, radiosity, ..recipe }
     })?;
     let (needs, baked) = match variable("RTA_NEEDS", "baked").as_str() {
