@@ -1,5 +1,7 @@
 //! Paths in the Cornell box, against what another program of paths finds there: the mean radiosity of its surfaces.
 
+#![allow(clippy::indexing_slicing, reason = "a test may panic")]
+
 use core::f64::consts::PI;
 
 use rta_core::camera::{Camera, Lens};
