@@ -211,7 +211,7 @@ pub fn narrow<S: Narrow>(description: &Description, aspect: f64) -> Result<Narro
 fn brought<S: Narrow>(description: &Description, aspect: f64) -> Result<Narrowed<S>, NarrowError> {
     let held = description.has_motion().then(|| description.in_the_middle());
     let description = held.as_ref().unwrap_or(description);
-    let shining = description.shining();
+    let (shining, solved) = (description.shining(), Lit::of(description)?);
     let is_lit = description.has_emitters() || description.details.light.is_some();
     let lit = is_lit.then(|| description.with_emitters());
     let description = lit.as_ref().unwrap_or(description);
@@ -320,6 +320,6 @@ fn brought<S: Narrow>(description: &Description, aspect: f64) -> Result<Narrowed
         },
         ambient: Checker::<S>::named("the ambient light").light(description.ambient)?,
         spreads,
-        lit: Lit::of(description)?,
+        lit: solved,
     })
 }

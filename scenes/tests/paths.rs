@@ -1,5 +1,7 @@
 //! Paths in the Cornell box, against what another program of paths finds there: the mean radiosity of its surfaces.
 
+#![allow(clippy::indexing_slicing, reason = "a test may panic")]
+
 use core::f64::consts::PI;
 
 use rta_core::camera::{Camera, Lens};
@@ -67,7 +69,7 @@ fn radiosity<S: Narrow>(scene: &Description, quad: &Quad, rules: Rules) -> [[f64
     let corners = quad.corners(&scene.triangles).expect("it has some");
     let mut sums = [[0.0; 2]; 3];
     for seed in 0..SEEDS {
-        let rays = Distributed { tracer: tracer.clone(), spread: &spread, seed };
+        let rays = Distributed { tracer, spread: &spread, seed };
         let paths = Paths { spread: rays, emitters: &narrowed.spreads.emitters, rules };
         let pairs = Pairs::new(0, 0, 9, seed);
         let (mut light, mut whole) = ([0.0; 3], 0.0);

@@ -113,9 +113,11 @@ impl<'l, S: Scalar> Glimpse<'l, S> {
         let shown = Incident { direction, distance, inverse_distance, cosine, lamp: point };
         let middle = (point.position - place).normalize().map_or(direction, |(direction, ..)| direction);
         let (least, inverse_least) = square.least;
+        // A shadow ray ends before it, so that the surface that a lamp is part of does not hide it.
+        let place = Incident { distance: distance - least.scale(S::Unit::ratio(1, 64)), ..shown };
         let inverse_distance = if distance < least { inverse_least } else { inverse_distance };
         let lamp = Incident { direction: middle, inverse_distance, cosine: cosine.times(sent), ..shown };
-        Some(Self { place: shown, lamp })
+        Some(Self { place, lamp })
     }
 }
 

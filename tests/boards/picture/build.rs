@@ -59,8 +59,8 @@ fn main() -> Result<(), Box<dyn Error>> {
         let model = model.unwrap_or(recipe.model);
         let natural = Spreading::of(scene, lamps, SAMPLES);
         let integrator = Integrator::Whitted;
-        let spreading =
-            samples.map_or(natural, |samples| Some(Spreading { samples, lamps, split: 1, integrator }));
+        let asked = |samples| Some(Spreading { samples, lamps, split: 1, integrator });
+        let spreading = samples.map_or(natural, asked);
         Recipe { model, spreading, radiosity, ..recipe }
     })?;
     let (needs, baked) = match variable("RTA_NEEDS", "baked").as_str() {
