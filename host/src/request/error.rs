@@ -8,7 +8,6 @@ use rta_scenes::error::{Found, SceneError};
 use rta_scenes::fit::FloorError;
 use rta_scenes::pictures::PictureError as LoadError;
 
-use super::solution::SolutionError;
 use crate::engine::admission::Refusal;
 use crate::engine::{EngineError, Format};
 use crate::picture::error::{PictureError, reason};
@@ -197,4 +196,36 @@ fn fitting(formats: &[Format]) -> String {
     }
     let names: Vec<_> = formats.iter().map(Format::to_string).collect();
     format!("; it fits {}", names.join(", "))
+}
+
+/// Why a text is no solution of a scene.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum SolutionError {
+    /// The text is none of a solution.
+    #[error("line {line}: expected {expected}")]
+    Malformed {
+        /// The line, from 1.
+        line: usize,
+        /// What was expected.
+        expected: &'static str,
+    },
+    /// It is that of another scene, or the scene has changed.
+    #[error(
+        "it is the solution of another scene: its hash is {found:016x}, and that of this scene {scene:016x}"
+    )]
+    Other {
+        /// The hash that it has.
+        found: u64,
+        /// The scene's.
+        scene: u64,
+    },
+    /// It does not have one line for each patch.
+    #[error("it has {found} patches, and the scene {scene}")]
+    Patches {
+        /// How many there are.
+        found: usize,
+        /// How many there should be.
+        scene: usize,
+    },
 }

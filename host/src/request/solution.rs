@@ -21,7 +21,7 @@ use rta_drivers::checksum::Fnv;
 use rta_scenes::description::Description;
 use rta_scenes::solution::{Arriving, Shown, Solution, Solved, patch_count};
 
-use super::error::RequestError;
+use super::error::{RequestError, SolutionError};
 use super::scene_file::SceneFile;
 use crate::args::light::{self, LightArgs};
 
@@ -34,38 +34,6 @@ const HEADER: &str = "rta radiosity 1";
 /// Statements that do not change what arrives anywhere.
 const APART: [&str; 9] =
     ["camera", "picture", "model", "path", "attenuation", "medium", "spectral", "sky", "ambient"];
-
-/// Why a text is no solution of a scene.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[non_exhaustive]
-pub enum SolutionError {
-    /// The text is none of a solution.
-    #[error("line {line}: expected {expected}")]
-    Malformed {
-        /// The line, from 1.
-        line: usize,
-        /// What was expected.
-        expected: &'static str,
-    },
-    /// It is that of another scene, or the scene has changed.
-    #[error(
-        "it is the solution of another scene: its hash is {found:016x}, and that of this scene {scene:016x}"
-    )]
-    Other {
-        /// The hash that it has.
-        found: u64,
-        /// The scene's.
-        scene: u64,
-    },
-    /// It does not have one line for each patch.
-    #[error("it has {found} patches, and the scene {scene}")]
-    Patches {
-        /// How many there are.
-        found: usize,
-        /// How many there should be.
-        scene: usize,
-    },
-}
 
 /// Returns the hash of what decides the radiosity of a scene: its objects, lamps and materials.
 #[must_use]
