@@ -90,7 +90,9 @@ const SPREADS: &str =
 /// Returns whether rays would be spread in a scene: over a lens, or over the facets of rough materials or of the model.
 fn spreads(scene: &Description) -> bool {
     let is_above = |size: Option<f64>| size.is_some_and(|size| size > 0.0);
-    is_above(scene.optics.aperture) || scene.has_lobes() || scene.materials.iter().any(|own| is_above(own.roughness))
+    is_above(scene.optics.aperture)
+        || scene.has_lobes()
+        || scene.materials.iter().any(|own| is_above(own.roughness))
 }
 
 /// Returns width, height, model, depth, whether anything moves, the number of frames and warnings, as JSON.

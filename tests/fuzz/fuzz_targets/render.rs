@@ -10,7 +10,9 @@ use rta_core::needs::Everything;
 use rta_core::raster::{Pixels, Raster};
 use rta_core::trace::Tracer;
 use rta_core::{Q16, Q20};
-use rta_scenes::description::{Camera, Cylinder, Description, Ellipsoid, FallOff, Floor, Lamp, Sky, Sphere, Surface};
+use rta_scenes::description::{
+    Camera, Cylinder, Description, Ellipsoid, FallOff, Floor, Lamp, Sky, Sphere, Surface,
+};
 use rta_scenes::narrow::{Narrow, Narrowed, narrow};
 use rta_scenes::{dat, shipped};
 
