@@ -206,7 +206,8 @@ impl<S: Scalar, G: Hidden<S::Unit>, F: Reflecting<S>> Illumination<S> for CookTo
 
     fn diffuse<N: Needs>(&self, surface: &Surface<S>) -> Rgb<S::Unit> {
         let (zero, one) = (S::Unit::ZERO, S::Unit::ONE);
-        let part = self.row_of(surface).map_or(one, |row| if row.is_diffuse { one - row.share } else { zero });
+        let part =
+            self.row_of(surface).map_or(one, |row| if row.is_diffuse { one - row.share } else { zero });
         surface.color.map(|color| color.times(part))
     }
 
