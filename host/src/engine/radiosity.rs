@@ -263,7 +263,10 @@ impl<S: Narrow> Work<'_, S> {
                         return Ok(());
                     }
                     match &exact {
-                        Some(rectangles) => Ok(rectangles.row::<S>(number as usize - 1, row)),
+                        Some(rectangles) => {
+                            rectangles.row::<S>(number as usize - 1, row);
+                            Ok(())
+                        }
                         None => solver.factors(patch, row),
                     }
                 })?;

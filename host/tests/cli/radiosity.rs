@@ -107,11 +107,11 @@ fn a_solution_is_kept_and_shown_and_is_that_of_its_scene() {
     let solved = render(&["--light", "solve", "--samples", "64", "--format", "q16"]);
     assert!((mean(&both) / mean(&solved) - 1.0).abs() < 0.05, "{} {}", mean(&both), mean(&solved));
     // Seen from elsewhere it is the same solution; of another room it is none.
-    folder.scene("h.rta", &ROOM.replace("at .5 .02 .5", "at .4 .1 .5"));
+    folder.scene("h.rta", ROOM.replace("at .5 .02 .5", "at .4 .1 .5"));
     assert!(
         folder.rta(&["render", "h.rta", "-o", "h.png", "--light", "g.txt", "--size", "8x8"]).status.success()
     );
-    folder.scene("i.rta", &ROOM.replace(".6 .1 .1", ".6 .1 .2"));
+    folder.scene("i.rta", ROOM.replace(".6 .1 .1", ".6 .1 .2"));
     folder.refuses(&["render", "i.rta", "-o", "i.png", "--light", "g.txt"], &["g.txt", "another scene"]);
     folder.refuses(&["render", "g.rta", "-o", "i.png", "--light", "i.rta"], &["i.rta", "line 1"]);
     folder.refuses(&["render", "g.rta", "-o", "i.png", "--light", "nothing.txt"], &["nothing.txt"]);
