@@ -213,6 +213,7 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Acceler
     ) -> Rgb<S::Light> {
         let mut length = None;
         let own = self.local(current, (&mut length, surface), dice, memory, observer);
+        let own = self.scene.shining::<N>(own, surface.as_ref());
         let weight = current.branch.weight;
         if M::ALONG {
             let Pending { start, branch: Branch { kind, .. } } = *current;
@@ -274,9 +275,6 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Acceler
         observer.hit(hit.as_ref(), Some(surface));
         let solved = hit.filter(|_| N::RADIOSITY).and_then(|hit| dice.arriving(hit.object, surface));
         let mut light = ambient::<S, M, N>(&self.model, surface, solved.unwrap_or(scene.scene.ambient));
-        if N::EMISSION && !scene.scene.coats.is_empty() {
-            light = light.plus(scene.emitted(surface));
-        }
         if N::LAMPS && self.model.is_lit::<N>(surface) {
             let lamps = if N::SEVERAL_LAMPS { scene.scene.lamps.len() } else { 1 };
             for (number, lamp) in scene.scene.lamps.iter().take(lamps).enumerate() {

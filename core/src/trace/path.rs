@@ -131,7 +131,8 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Acceler
                     tracer.scene.cover::<N>(&mut surface, hit.object, path.kind);
                 }
                 let is_bright = N::EMISSION && !tracer.scene.scene.coats.is_empty();
-                let sent = if is_bright { tracer.scene.emitted(&surface) } else { Rgb::BLACK };
+                let sent =
+                    if is_bright { tracer.scene.emitted(surface.number, surface.inside) } else { Rgb::BLACK };
                 (Some(surface), sent)
             }
         };

@@ -25,11 +25,22 @@ impl<'a, S: Scalar> World<'a, S> {
         }
     }
 
-    /// Returns the radiance that a surface sends out by itself; none on its inside.
+    /// Returns the light that a ray brings back with what the surface that it met, if any, sends out by itself.
+    #[inline]
+    pub fn shining<N: Needs>(&self, light: Rgb<S::Light>, met: Option<&Surface<S>>) -> Rgb<S::Light> {
+        match met {
+            Some(surface) if N::EMISSION && !self.scene.coats.is_empty() => {
+                light.plus(self.emitted(surface.number, surface.inside))
+            }
+            _ => light,
+        }
+    }
+
+    /// Returns the radiance that a surface sends out by itself, by the number of its material; none on its inside.
     #[inline(never)] // scenes without coats do not pay for it
-    pub fn emitted(&self, surface: &Surface<S>) -> Rgb<S::Light> {
-        match self.scene.coats.get(usize::from(surface.number)) {
-            Some(coat) if !surface.inside => coat.emission,
+    pub fn emitted(&self, material: u16, inside: bool) -> Rgb<S::Light> {
+        match self.scene.coats.get(usize::from(material)) {
+            Some(coat) if !inside => coat.emission,
             _ => Rgb::BLACK,
         }
     }

@@ -76,16 +76,16 @@ impl<'a, M: Illumination<f32>, const STACK: usize> Trees4<'a, M, STACK> {
             if N::MESHES && self.surfaces.meshed & there != 0 {
                 self.mesh_ambient::<N>(tracer, &rays, there, &mut own);
             }
-            if N::EMISSION && !scene.scene.coats.is_empty() {
-                for k in Bits(there & self.surfaces.on) {
-                    let light = one_mut(&mut own, k);
-                    *light = light.plus(scene.emitted(&self.surfaces.surface(&rays, k)));
-                }
-            }
             if N::LAMPS && lit != 0 {
                 let lamps = if N::SEVERAL_LAMPS { scene.scene.lamps.len() } else { 1 };
                 for (number, lamp) in scene.scene.lamps.iter().take(lamps).enumerate() {
                     self.add_lamp(tracer, (number, lamp), &rays, lit, &mut own);
+                }
+            }
+            if N::EMISSION && !scene.scene.coats.is_empty() {
+                for k in Bits(there & self.surfaces.on) {
+                    let light = one_mut(&mut own, k);
+                    *light = scene.shining::<N>(*light, Some(&self.surfaces.surface(&rays, k)));
                 }
             }
             let mut branching = 0;
