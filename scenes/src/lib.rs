@@ -48,6 +48,7 @@ pub mod sampler;
 pub mod shading;
 pub mod shipped;
 pub mod solution;
+mod solve;
 pub mod space;
 pub mod spectrum;
 mod tessellate;

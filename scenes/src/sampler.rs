@@ -8,8 +8,7 @@ use rta_core::sampling::{Places, Sampling};
 use rta_core::scalar::{Light, Unit};
 pub use rta_core::trace::dice::Lamps;
 
-use crate::description::{Description, Material};
-use crate::solution::Shown;
+use crate::description::{Description, Material, Shown};
 
 /// Where the samples of a pixel lie.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

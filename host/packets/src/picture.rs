@@ -185,8 +185,9 @@ macro_rules! formats {
                         return Ok(Box::new(Pathed { still, spreading, bounces, is_cut }));
                     }
                     if scene.has_motion() {
-                        let (scene, built) = (narrow::<$f>(scene, setup.aspect)?, bvh::build::<$f>(scene));
-                        return Ok(Box::new(Moving { still, spreading, scene, built }));
+                        let (mut held, built) = (narrow::<$f>(scene, setup.aspect)?, bvh::build::<$f>(scene));
+                        held.solve(&scene.stopped(), limits)?;
+                        return Ok(Box::new(Moving { still, spreading, scene: held, built }));
                     }
                     return Ok(Box::new(Spread { still, spreading }));
                 }

@@ -69,7 +69,7 @@ fn no_patch(solved: &Solved, PatchName { wall, number }: PatchName) -> Radiosity
     RadiosityError::NoSuchPatch { wall, number, quads, patches }
 }
 
-/// Formats a number with nine digits, and one of single precision with as many as it has.
+/// Formats a number with nine places.
 fn digits(value: f64) -> String {
     format!("{value:.9}")
 }

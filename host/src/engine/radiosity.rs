@@ -86,6 +86,9 @@ pub enum RadiosityError {
     /// A part of a quad that emits holds the middle of no patch.
     #[error("quad {0} emits in a part that holds the middle of none of its patches: it needs more patches")]
     NoPatch(usize),
+    /// A hemi-cube has no such number of cells.
+    #[error("a hemi-cube has an even number of cells along a side, up to 1024, not {0}")]
+    Cells(u16),
     /// Exact factors are not known.
     #[error(
         "exact factors are for rooms whose sides are rectangles along the axes, with nothing in them: --factors rays or hemicube"
@@ -190,7 +193,8 @@ fn solved_in<S: Narrow>(
         Factors::Exact => work.found(Rays { count: 64, seed: settings.seed }, true)?,
         Factors::Rays(count) => work.found(Rays { count, seed: settings.seed }, false)?,
         Factors::HemiCube(side) => {
-            work.found(HemiCube::new(side).unwrap_or_else(|| unreachable!("an even number")), false)?
+            let cells = HemiCube::new(side).ok_or(RadiosityError::Cells(side))?;
+            work.found(cells, false)?
         }
     };
     let areas = patch_areas(&scene);

@@ -6,8 +6,7 @@ use std::sync::Arc;
 use rta_core::scene::Object;
 use rta_core::texture::Shading;
 
-use super::{Journey, Path, Pixels};
-use crate::solution::Solved;
+use super::{Journey, Path, Pixels, Solved};
 
 /// What few objects, lamps, floors and skies have.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -2,8 +2,7 @@
 
 use rta_core::scene::Object;
 
-use super::{Description, FallOff, Lamp, LampShape, Material, Surface, Triangle};
-use crate::solution::Shown;
+use super::{Description, FallOff, Lamp, LampShape, Material, Shown, Surface, Triangle};
 use crate::space::{Triple, cross, difference, length};
 
 /// A quadrilateral among the [triangles](Description::triangles) of a scene, whose places, colour and material are theirs. Its outside is

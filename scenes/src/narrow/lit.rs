@@ -3,19 +3,15 @@
 use core::f64::consts::PI;
 
 use rta_core::color::Rgb;
-use rta_core::needs::Everything;
-use rta_core::radiosity::{self, Indirect, Mesh, Quad, Rays, Solution, Solver};
-use rta_core::range::Admitted;
+use rta_core::radiosity::{Indirect, Mesh, Quad, Solution};
 use rta_core::scalar::Scalar;
-use rta_core::scene::{Limits, Scene};
+use rta_core::scene::Scene;
 
 use super::check::Checker;
 use super::quads::quads;
-use super::{Narrow, NarrowError, Narrowed};
-use crate::accelerator::bvh;
-use crate::accelerator::search::Search;
-use crate::description::Description;
-use crate::solution::{Shown, Solved, patch_areas};
+use super::{Narrow, NarrowError};
+use crate::description::{Description, Shown, Solved};
+use crate::solution::patch_areas;
 
 /// Solved radiosity of a scene of one number format: what a core [`Indirect`] borrows.
 #[derive(Clone, Debug)]
@@ -57,29 +53,5 @@ impl<S: Narrow> Lit<S> {
         let mesh = Mesh::new(&self.quads, scene).ok()?;
         let arriving = Solution::new(mesh, &self.arriving).ok()?;
         Some(Indirect { arriving, elsewhere: self.elsewhere })
-    }
-}
-
-impl<S: Narrow> Narrowed<S> {
-    /// Solves for the indirect light of a scene that has [none yet](Description::unsolved), as a board does. `limits` are those of the scene,
-    /// and `description` is what it was made of.
-    ///
-    /// # Errors
-    /// What is wrong with the quads.
-    pub fn solve(&mut self, description: &Description, limits: Limits<S>) -> Result<(), radiosity::Error> {
-        let Some(lit) = self.lit.as_ref().filter(|lit| lit.arriving.is_empty()) else { return Ok(()) };
-        let built = bvh::build::<S>(description);
-        let search = built.bvh().map_or(Search::Lists, Search::Hierarchy);
-        let admitted = Admitted::baked(self.scene(), limits, search);
-        let mesh = Mesh::new(&lit.quads, &admitted.scene)?;
-        let mut memory = [(); 2].map(|()| vec![Rgb::BLACK; mesh.len()]);
-        let [reflected, arriving] = &mut memory;
-        let elsewhere =
-            Solver::<S, Everything, Rays, _>::indirect_light(&admitted, mesh, reflected, arriving)?;
-        let [_, arriving] = memory;
-        if let Some(lit) = &mut self.lit {
-            (lit.arriving, lit.elsewhere) = (arriving, elsewhere);
-        }
-        Ok(())
     }
 }

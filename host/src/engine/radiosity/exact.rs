@@ -56,7 +56,7 @@ fn rectangle(corners: &[Triple; 4], size: f64) -> Option<Rectangle> {
         let along = corners.iter().filter_map(|corner| corner.get(axis).copied());
         along.fold([f64::INFINITY, f64::NEG_INFINITY], |[least, largest], c| [least.min(c), largest.max(c)])
     });
-    let is_flat = |span: &[f64; 2]| span.last() <= span.first().map(|least| least + SLACK * size).as_ref();
+    let is_flat = |[least, largest]: &[f64; 2]| largest - least <= SLACK * size;
     let axis = spans.iter().position(is_flat)?;
     let is_at_corner = |corner: &Triple| {
         corner.iter().zip(spans).all(|(c, [least, largest])| {
