@@ -155,13 +155,7 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Acceler
         if casts_shadow_ray::<N, _>(unhidden) {
             let (start, used) = shadow_start::<S, N>(surface, &place);
             observer.shadow(number, &start);
-            let (ray, mut t_max) = (tracer.ray(start), place.distance - used);
-            if let Found::Square(_) = found {
-                // The lamp's own triangles are there, within the rounding of a place as far away.
-                let (_, most) =
-                    surface.point.along(place.direction, place.distance).clearance(place.distance);
-                t_max = t_max - most;
-            }
+            let (ray, t_max) = (tracer.ray(start), place.distance - used);
             let (scene, search) = (tracer.scene, tracer.scene.accelerator());
             part = match found {
                 Found::Unseen => search.transmittance::<N>(scene, &ray, t_max, number, memory),
