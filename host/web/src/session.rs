@@ -84,8 +84,7 @@ pub(crate) fn check(request: &[u8], pictures: &Pictures) -> Result<String, Failu
 }
 
 /// What is said of a scene whose rays the program spreads.
-const SPREADS: &str =
-    "on a page no rays are spread: its lens is a pinhole here, its rough materials are smooth, and its lamps are points";
+const SPREADS: &str = "on a page no rays are spread: its lens is a pinhole here, its rough materials are smooth, and its lamps are points";
 
 /// Returns whether rays would be spread in a scene: over a lens, or over the facets of rough materials or of the model.
 fn spreads(scene: &Description) -> bool {
