@@ -29,6 +29,9 @@ pub const PRISM: &str = include_str!("../prism.rta");
 /// One vase four times: flat, and as Gouraud, Phong, and Bishop and Weimer shaded it.
 pub const MESH: &str = include_str!("../mesh.rta");
 
+/// One room that techniques of image synthesis from 1969 to 1988 are shown on.
+pub const TECHNIQUES: &str = include_str!("../techniques.rta");
+
 /// Spheres on a plane, `balls` of the second size of Eric Haines's Standard Procedural Databases (1987), in NFF.
 pub const BALLS_2: &str = include_str!("../balls2.nff");
 

@@ -130,11 +130,13 @@ pub enum Command {
     /// Of scenes whose rays can be spread, the page and spreading.csv also have error against cost for samples, sampler, lamps,
     /// antialiasing and splitting, slopes of log error over log samples, and the variances of a pixel with the best --split.
     Report(ReportArgs),
-    /// Draw the thesis's figures again: curves and pictures on one page
+    /// Draw the thesis's figures again, and run its techniques and times again: two pages
     ///
     /// What surfaces reflect, glass bends and air takes away, as curves of the functions that pictures are made with, and
     /// spheres by every model. In the folder it leaves index.html with captions, formulas and sources, and each figure
-    /// as a PNG, a diagram also as an SVG. It takes seconds.
+    /// as a PNG, a diagram also as an SVG. Beside it thesis.html has the techniques of the thesis's table 3.1, each as a picture of one
+    /// room with its year, paper, error against paths of light and cost, and the machines, compositions and times of its appendix with
+    /// those of this host; its pictures, scenes and solutions are in the folder thesis. It takes a minute or two.
     Figures(FiguresArgs),
     /// Draw every picture of the documents, on one page with the commands that draw them
     ///

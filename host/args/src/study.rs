@@ -101,6 +101,9 @@ pub struct FiguresArgs {
     /// Folder that the figures are written to; it is made if it is not there
     #[arg(short, long, value_name = "FOLDER")]
     pub output: PathBuf,
+    /// The pictures of the second page are so many times lower and less wide; few pixels are soon drawn, and badly
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = choice::whole(1_u32..=32), hide = true)]
+    pub coarse: u32,
 }
 
 /// `rta gallery`.

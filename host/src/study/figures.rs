@@ -8,6 +8,7 @@
 //! | a diagram of curves | `chart` |
 //! | the scenes of the page about the scene language | `keywords` |
 //! | the page | `page` |
+//! | a second page: the thesis's table 3.1 and its appendix, run again | [`thesis`] |
 
 use core::sync::atomic::AtomicBool;
 use std::path::Path;
@@ -32,6 +33,7 @@ mod page;
 mod pictures;
 #[cfg(test)]
 mod tests;
+pub mod thesis;
 
 use chart::Chart;
 use keywords::examples;
@@ -117,6 +119,7 @@ pub fn run(args: &FiguresArgs) -> Result<(), StudyError> {
     for (name, bytes) in shipped::PICTURES {
         Output::open(&folder.join(name), Inputs::NONE)?.write(bytes)?;
     }
+    let second = thesis::Files::open(&args.output)?;
     let examples = examples(shipped::PAGE);
     let open = |name: &str| Output::open(&folder.join(format!("{name}.png")), Inputs::NONE);
     let keywords = examples.iter().map(|example| open(&example.name)).collect::<Result<Vec<_>, _>>()?;
@@ -144,7 +147,10 @@ pub fn run(args: &FiguresArgs) -> Result<(), StudyError> {
         let caption = Caption { title: example.name.clone(), settings };
         file.fill(|out| shown.write_png(&caption, out).map_err(Failure::<StudyError>::Write))?;
     }
-    Ok(page.write(page::html(list::ALL, &examples).as_bytes())?)
+    page.write(page::html(list::ALL, &examples).as_bytes())?;
+    // The second page has a bar of its own.
+    drop(progress);
+    thesis::run(second, thesis::Fineness { coarse: args.coarse }, &tracing)
 }
 
 /// The files of a figure, found to be writable.

@@ -99,6 +99,23 @@ const PC: &[&str] = &[
     "none",
     "-device",
     "isa-debug-exit,iobase=0xf4,iosize=0x04",
+    "-icount",
+    "shift=0,sleep=off",
+];
+
+const SPARC: &[&str] = &[
+    "-M",
+    "SS-5",
+    "-vga",
+    "cg3",
+    "-g",
+    "1152x900x8",
+    "-m",
+    "32",
+    "-display",
+    "none",
+    "-icount",
+    "shift=0,sleep=off",
 ];
 
 /// A board of ARM's M profile.
@@ -191,7 +208,7 @@ pub const ALL: [Board; 10] = [
         target: "sparc-unknown-none-elf",
         linker: "sparc64-linux-gnu-ld",
         emulator: "qemu-system-sparc",
-        arguments: &["-M", "SS-5", "-vga", "cg3", "-g", "1152x900x8", "-m", "32", "-display", "none"],
+        arguments: SPARC,
         output: Output::Screen { image: Image::Prom, screen: (1152, 900, 255), zoom: 1 },
     },
     Board {

@@ -7,7 +7,8 @@ use super::keywords::Example;
 use crate::study::html::{self, escaped};
 
 const INTRODUCTION: &str = "\
-<p>The curves are those of the functions that pictures are made with, in double precision; the pictures are traced.</p>
+<p>The curves are those of the functions that pictures are made with, in double precision; the pictures are traced. On
+<a href=\"thesis.html\">a second page</a> the thesis's techniques and times are run again.</p>
 ";
 
 /// Returns the page.

@@ -75,7 +75,11 @@ pub fn levels(light: &[Rgb<f32>], most: u8) -> Vec<Rgb<u8>> {
     light.iter().map(|light| light.levels(most)).collect()
 }
 
-fn light(
+/// Returns the light of a whole picture.
+///
+/// # Errors
+/// [`PictureError::Memory`] and [`Interrupted`](crate::engine::bands::BandsError::Interrupted).
+pub fn light(
     engine: &Engine,
     size: Size,
     pool: &ThreadPool,

@@ -3,6 +3,7 @@
 
 mod serial;
 mod stack;
+mod timer;
 
 use core::arch::global_asm;
 use core::panic::PanicInfo;
@@ -56,12 +57,18 @@ fn run(com1: &mut Com1) -> Result<(), Exit> {
     } else {
         Mode13h::program(vga)
     };
-    let drawn = picture::draw(display, picture::adaptive(CAPABILITIES.gun_max), ORIGIN, || {});
+    // SAFETY: this is a PC, interrupts are off, and nobody else uses the timer.
+    let mut elapsed = unsafe { timer::start() };
+    let drawn = picture::draw(display, picture::adaptive(CAPABILITIES.gun_max), ORIGIN, || {
+        elapsed.look();
+    });
+    let ticks = elapsed.look();
     let mut display = drawn.map_err(|_| Exit::Refused)?;
     for (name, value) in picture::facts(picture::table()) {
         picture::report(name, value, |byte| com1.put(byte));
     }
     picture::report("stack", stack::high_water(), |byte| com1.put(byte));
+    picture::report("nanoseconds", timer::nanoseconds(ticks), |byte| com1.put(byte));
     picture::console::serve(com1, &mut display, ORIGIN).map_err(|_| Exit::Refused)
 }
 

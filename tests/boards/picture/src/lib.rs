@@ -4,6 +4,7 @@
 
 pub mod console;
 pub mod direct;
+pub mod elapsed;
 pub mod stream;
 
 use core::marker::PhantomData;

@@ -10,6 +10,7 @@
 mod screen;
 mod serial;
 mod stack;
+mod timer;
 
 use core::arch::global_asm;
 use core::panic::PanicInfo;
@@ -60,12 +61,18 @@ fn run(ttya: &mut Ttya) -> Result<(), Exit> {
     let screen = unsafe { Screen::open() };
     let mut display = PixrectDisplay::new(Cgthree::open(screen)).map_err(|_| Exit::Refused)?;
     clear(&mut display).map_err(|_| Exit::Refused)?;
-    let drawn = picture::draw(display, picture::adaptive(CAPABILITIES.gun_max), ORIGIN, || {});
+    // SAFETY: this is a SPARCstation 5 without MMU, interrupts are off, and nobody else uses the counter.
+    let mut elapsed = unsafe { timer::start() };
+    let drawn = picture::draw(display, picture::adaptive(CAPABILITIES.gun_max), ORIGIN, || {
+        elapsed.look();
+    });
+    let ticks = elapsed.look();
     let mut display = drawn.map_err(|_| Exit::Refused)?;
     for (name, value) in picture::facts(picture::table()) {
         picture::report(name, value, |byte| ttya.put(byte));
     }
     picture::report("stack", stack::high_water(), |byte| ttya.put(byte));
+    picture::report("nanoseconds", timer::nanoseconds(ticks), |byte| ttya.put(byte));
     picture::console::serve(ttya, &mut display, ORIGIN).map_err(|_| Exit::Refused)
 }
 
