@@ -16,6 +16,7 @@ img { max-width: 100%; height: auto; }
 pre { overflow-x: auto; font-size: 75%; }
 code { white-space: pre-wrap; }
 .formula { font-style: italic; }
+th, td { padding-right: .8em; text-align: left; vertical-align: top; }
 .source { font-size: 85%; color: #444; }
 </style>
 </head>

@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use rta::study::figures::thesis::{self, room, techniques};
+use rta::study::figures::thesis::{self, room, technique, techniques};
 use rta::study::figures::{Content, keywords, list};
 use rta_scenes::shipped;
 
@@ -62,7 +62,7 @@ fn of_the_thesis() -> Vec<String> {
     let scenes = room::ALL.iter().map(|variant| format!("thesis/{}.rta", variant.name));
     let solved = techniques::ALL
         .iter()
-        .filter(|technique| matches!(technique.way, techniques::Way::Traced { solved: Some(_), .. }))
+        .filter(|technique| matches!(technique.way, technique::Way::Traced { solved: Some(_), .. }))
         .map(|technique| format!("thesis/{}.txt", technique.name));
     pictures.chain(scenes).chain(solved).chain(["thesis.html".to_owned()]).collect()
 }
@@ -107,7 +107,7 @@ fn second_page(folder: &Folder) {
 fn errors_fall(page: &str) {
     let error = |name: &str| -> f64 {
         let row = page.split(&format!("<a href=\"#{name}\">")).nth(1).unwrap();
-        row.split("<td>").nth(1).unwrap().split('<').next().unwrap().parse().unwrap()
+        row.split("<td>").nth(2).unwrap().split('<').next().unwrap().parse().unwrap()
     };
     let (two, few) = (error("wallace-cohen-greenberg"), error("kajiya"));
     assert!(few < two, "{few}, {two}");

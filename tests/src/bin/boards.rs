@@ -75,6 +75,7 @@ fn run(args: &Args) -> Result<bool, Failure> {
     let (rows, mut failures) = work(&jobs, args);
     report::print_table(&rows);
     failures.extend(report::superfluous(&rows));
+    failures.extend(report::miscounted(&rows, &version));
     failures.extend(models::strange(&rows)?);
     failures.extend(models::large(&rows));
     if !args.brief

@@ -202,8 +202,7 @@ impl Board {
                 }
                 let size = match self.output {
                     Output::Screen { screen: (width, height, _), .. }
-                        if (self.name == "sparc" && scene == "glass-2" && format == Format::Q16)
-                            || self.package == "pc" =>
+                        if (self.name == "sparc" && scene == "glass-2") || self.package == "pc" =>
                     {
                         (width, height)
                     }

@@ -1,6 +1,7 @@
 //! The report of all pictures: the table, and what is wrong with programs whose pictures are right.
 
 use rta::engine::Format;
+use rta::study::figures::thesis::counted::{self, Counted};
 
 use super::board::Board;
 use super::footprint::Footprint;
@@ -52,17 +53,39 @@ pub fn drift(now: &[Footprint], (compiler, then): &(String, Vec<Footprint>), ver
         .collect()
 }
 
+/// Returns, in words, which pictures take instructions that differ from those on the thesis's page by more than a twentieth; nothing where
+/// another compiler made the images.
+#[must_use]
+pub fn miscounted(rows: &[Row], version: &str) -> Vec<String> {
+    let mut wrong = Vec::new();
+    for recorded in counted::ALL.iter().filter(|_| version == counted::COMPILER) {
+        let Counted { board, scene, format, size, instructions: then } = *recorded;
+        let own = rows.iter().find(|row| {
+            let Picture { baked, colors, model, .. } = row.picture;
+            let is_plain = baked && colors == Colors::Standard && model.is_none();
+            let picture = (row.board.name, row.picture.scene, row.picture.format, row.picture.size);
+            is_plain && picture == (board, scene, format, size)
+        });
+        // Not all pictures are drawn each time.
+        let Some(Row { instructions, .. }) = own else { continue };
+        if instructions.is_none_or(|now| now.abs_diff(then) * 20 > then) {
+            wrong.push(format!("{board} {scene} {format}: instructions {then} -> {instructions:?}"));
+        }
+    }
+    wrong
+}
+
 /// Prints a line for each picture.
 pub fn print_table(rows: &[Row]) {
     println!(
-        "\n{:16} {:12} {:8} {:4} {:14} {:>9} {:>6} {:>6} {:>8}  hash",
-        "board", "processor", "scene", "", "needs", "raster", "stack", ".text", "a pixel"
+        "\n{:16} {:12} {:8} {:4} {:14} {:>9} {:>6} {:>6} {:>8} {:>12}  hash",
+        "board", "processor", "scene", "", "needs", "raster", "stack", ".text", "a pixel", "instructions"
     );
-    for Row { board, picture, hash, stack, footprint, .. } in rows {
+    for Row { board, picture, hash, stack, footprint, instructions, .. } in rows {
         let (width, height) = picture.size;
         let word = |figure: Option<u64>| figure.map_or_else(String::new, |figure| figure.to_string());
         println!(
-            "{:16} {:12} {:8} {:4} {:14} {:>9} {:>6} {:>6} {:>8}  {hash:016x}",
+            "{:16} {:12} {:8} {:4} {:14} {:>9} {:>6} {:>6} {:>8} {:>12}  {hash:016x}",
             board.name,
             board.processor,
             picture.scene,
@@ -72,6 +95,7 @@ pub fn print_table(rows: &[Row]) {
             word(*stack),
             word(footprint.as_ref().map(|row| row.text)),
             word(footprint.as_ref().map(|row| row.instructions)),
+            word(*instructions),
         );
     }
     println!();

@@ -30,6 +30,8 @@ pub struct Row {
     /// The files of the illumination models and of air that the program's code is from, below the core's folder `illumination`; none for
     /// WebAssembly, which is no ELF file.
     pub sources: BTreeSet<String>,
+    /// Instructions from the beginning to the last pixel, if reported.
+    pub instructions: Option<u64>,
     /// Memory and instructions of the image, where the board reports stack and instructions.
     pub footprint: Option<Footprint>,
 }
@@ -97,7 +99,8 @@ impl Row {
         } else {
             elf::sources(&image, "illumination/")?
         };
-        Ok(Self { board, picture, hash, stack: outcome.stack, primitives, sources, footprint })
+        let Outcome { stack, instructions, .. } = outcome;
+        Ok(Self { board, picture, hash, stack, primitives, sources, instructions, footprint })
     }
 }
 

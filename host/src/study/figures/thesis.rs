@@ -2,7 +2,8 @@
 //!
 //! | step | where |
 //! | --- | --- |
-//! | its table 3.1: the techniques, each with its paper and how it is drawn | [`techniques`] |
+//! | its table 3.1: the techniques, each with its paper | [`techniques`] |
+//! | a technique, and how it is drawn | [`technique`] |
 //! | the one scene of the table, and its variants | [`room`] |
 //! | a technique drawn: picture, error against paths, cost | [`drawn`] |
 //! | its appendix: machines, compositions, times, and what ours take | [`appendix`] |
@@ -27,11 +28,13 @@ pub mod counted;
 pub mod drawn;
 mod page;
 pub mod room;
+pub mod technique;
 pub mod techniques;
 
 use appendix::{COMPOSITIONS, Composition};
 use drawn::{Drawn, References};
-use techniques::{ALL, Technique};
+use technique::Technique;
+use techniques::ALL;
 
 /// The folder of the page's pictures and scenes, beside the page.
 const FOLDER: &str = "thesis";

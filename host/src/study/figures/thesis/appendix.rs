@@ -1,7 +1,7 @@
 //! The thesis's appendix: its machines, its compositions and the times that it reports, and what ours take.
 
-use super::Fineness;
 use super::drawn::{coarser, traced_here};
+use super::{Fineness, Tracing};
 use crate::args::TracingArgs;
 use crate::engine::Format;
 use crate::picture::device::{Device, Target};
@@ -9,7 +9,6 @@ use crate::picture::file::Displayed;
 use crate::request::Request;
 use crate::request::scene_file::SceneFile;
 use crate::study::error::StudyError;
-use crate::study::figures::Tracing;
 use crate::study::palette::traced::Traced;
 
 /// A machine of the thesis.

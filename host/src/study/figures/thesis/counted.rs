@@ -6,6 +6,9 @@
 
 use crate::engine::Format;
 
+/// The compiler that built the images.
+pub const COMPILER: &str = "rustc 1.96.0";
+
 /// A processor of the time.
 #[derive(Clone, Copy, Debug)]
 pub struct Processor {
@@ -56,7 +59,7 @@ pub struct Counted {
     pub board: &'static str,
     /// The scene, without its file's extension.
     pub scene: &'static str,
-    /// Number format. The i486's program has no coprocessor; the SPARC's has its own.
+    /// Number format. The i486's program works f32 out by integers, without a coprocessor; the SPARC has one.
     pub format: Format,
     /// Width and height in pixels.
     pub size: (u32, u32),
@@ -76,4 +79,13 @@ const fn counted(
 }
 
 /// All that are recorded.
-pub const ALL: &[Counted] = &[counted("pc", "glass-2", Format::Q16, (320, 200), 547_103_101)];
+pub const ALL: &[Counted] = &[
+    counted("pc", "glass-2", Format::F32, (320, 200), 4_175_721_709),
+    counted("pc", "glass-2", Format::Q16, (320, 200), 547_103_101),
+    counted("pc", "hall-22", Format::F32, (320, 200), 7_550_792_958),
+    counted("pc", "hall-22", Format::Q16, (320, 200), 833_577_535),
+    counted("sparc", "glass-2", Format::F32, (1152, 900), 5_460_391_500),
+    counted("sparc", "glass-2", Format::Q16, (1152, 900), 11_763_442_500),
+    counted("sparc", "hall-22", Format::F32, (320, 200), 619_809_500),
+    counted("sparc", "hall-22", Format::Q16, (320, 200), 996_119_500),
+];

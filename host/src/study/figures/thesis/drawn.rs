@@ -7,9 +7,9 @@ use clap::Parser;
 use cpu_time::ThreadTime;
 use rta_core::color::Rgb;
 
-use super::Fineness;
 use super::room::{PLAIN, Variant};
-use super::techniques::{Against, LENS, Shade, Technique, Way};
+use super::technique::{Against, LENS, Technique, Way};
+use super::{Fineness, Tracing};
 use crate::args::radiosity::{Factors, Method};
 use crate::args::{Cli, Command, RadiosityArgs, RenderArgs};
 use crate::engine::Engine;
@@ -19,13 +19,10 @@ use crate::picture::output::{Inputs, write_text};
 use crate::picture::raster::Size;
 use crate::request::{Request, solution};
 use crate::study::error::StudyError;
-use crate::study::figures::Tracing;
 use crate::study::palette::traced;
 use crate::study::report::measure::Difference;
-use crate::study::visibility::algorithm;
-use crate::study::visibility::eye::Seen;
-use crate::study::visibility::faces::Faces;
-use crate::study::visibility::integer::View;
+
+mod visible;
 
 /// Stem of the name of the reference's picture.
 pub const REFERENCE: &str = "paths";
@@ -35,9 +32,6 @@ pub const SAMPLES: u32 = 256;
 
 /// Their seeds: those of other pictures are 0.
 const SEEDS: [u32; 2] = [24301, 24302];
-
-/// Bands of a ball that is cut for algorithms of visibility, as `--tessellate` has it.
-const BANDS: u32 = 6;
 
 /// Rows that are traced between two looks at whether the work is to end.
 const ROWS: usize = 4;
@@ -209,7 +203,7 @@ pub(super) fn drawn(
     match technique.way {
         Way::Absent(_) => Ok(None),
         Way::Visible { algorithm, shade } => {
-            visible(technique.name, (algorithm, shade), references, fineness).map(Some)
+            visible::visible(technique.name, (algorithm, shade), references, fineness).map(Some)
         }
         Way::Traced { scene, solved, options, against } => {
             let mut cost = Cost::default();
@@ -278,59 +272,4 @@ fn rays(solved: &Solved, method: Method) -> u64 {
         // Four from each receiver for a shot.
         Method::Shoot => 4 * patches * u64::from(solved.rounds),
     }
-}
-
-/// Draws the visible triangles of the scene.
-fn visible(
-    name: &str,
-    (wanted, shade): (&str, Shade),
-    references: &References,
-    fineness: Fineness,
-) -> Result<Drawn, StudyError> {
-    let (args, _) = render((PLAIN, name), "")?;
-    let scene = PLAIN.scene(args.drawing.tracing.reading.into())?;
-    let mut request = Request::of_scene(&args.drawing.tracing, Target::None, &scene)?;
-    request.size = request.size.map(|size| coarser(size, fineness));
-    let (size, aspect) = request.raster()?;
-    let start = ThreadTime::now();
-    let faces = Faces::new(&scene.description, BANDS);
-    let seen = Seen::new(&faces.all, &scene.description.camera, (size, aspect), 0.0)?;
-    let missing = || StudyError::Visibility(format!("there is no algorithm {wanted}").into());
-    let algorithm = algorithm::ALL.iter().find(|algorithm| algorithm.name == wanted).ok_or_else(missing)?;
-    let outcome = (algorithm.draw)(&seen.view).map_err(|source| StudyError::Visibility(source.into()))?;
-    let light = shaded(&seen.view, &outcome.ids, shade);
-    let seconds = start.elapsed().as_secs_f64();
-    let error = Some(rms(&light, &references.whole.light));
-    let cost = Cost { rays: outcome.counts.steps(), is_steps: true, solving: 0, seconds };
-    let commands = vec![format!("rta visibility {}.rta --tessellate {BANDS}", PLAIN.name)];
-    Ok(Drawn { size, aspect, light, error, cost, commands })
-}
-
-/// Returns the light of the triangles that are seen: grey.
-fn shaded(view: &View, ids: &[u32], shade: Shade) -> Vec<Rgb<f32>> {
-    let width = view.raster.size.width();
-    let dot = |a: [f64; 3], b: [f64; 3]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
-    // Distance along the ray, or along the axis of view, and the cosine at the face.
-    let seen = |place: u32, id: u32| {
-        let own = view.triangle(id)?;
-        let ray = view.raster.ray(place % width, place / width).map(|c| c as f64);
-        let [_, _, ahead] = ray;
-        let (normal, length) = (own.normal.map(|c| c as f64), dot(ray, ray).sqrt());
-        let steep = dot(normal, ray);
-        let parts = own.distance as f64 / steep;
-        let distance = if shade == Shade::Depth { ahead } else { length } * parts;
-        Some((distance, (steep / (length * dot(normal, normal).sqrt())).abs()))
-    };
-    let all: Vec<_> = (0..).zip(ids).map(|(place, id)| seen(place, *id)).collect();
-    let middle = all.get(ids.len() / 2 + width as usize / 2).copied().flatten();
-    let nearest = all.iter().flatten().map(|seen| seen.0).fold(f64::INFINITY, f64::min);
-    #[expect(clippy::cast_possible_truncation, reason = "to the nearest")]
-    let grey = |seen: &Option<(f64, f64)>| {
-        let light = seen.map_or(0.0, |(distance, cosine)| match shade {
-            Shade::Angle => cosine * middle.map_or(1.0, |(middle, _)| (middle / distance).min(1.0)),
-            Shade::Depth => nearest / distance,
-        }) as f32;
-        Rgb::new(light, light, light)
-    };
-    all.iter().map(grey).collect()
 }

@@ -5,7 +5,7 @@ use core::fmt::Write;
 use super::appendix::{FORMATS, MACHINES, REPORTED, Run};
 use super::counted::{self, Counted, PROCESSORS};
 use super::drawn::{Cost, Drawn, REFERENCE};
-use super::techniques::{Against, Technique, Way};
+use super::technique::{Against, Technique, Way};
 use super::{Content, FOLDER, Thousands};
 use crate::study::html::{self, escaped};
 
@@ -46,7 +46,8 @@ const INSTRUCTIONS: &str = "\
 <h3>On the machines' kin, emulated</h3>
 <p>The same program without an operating system, on two machines under QEMU, which draw on their own displays (<code>tests/boards</code>).
 Instructions were counted there, by the boards' runner, and are recorded in the program: this page does not run the emulators. Instructions
-are not cycles: the emulator has neither pipeline nor caches. The estimates take a mean number of cycles for each instruction:</p>
+are not cycles: the emulator has neither pipeline nor caches. The i486 works <code>f32</code> out by integers, as one without a coprocessor;
+the SPARC has one, which makes <code>f32</code> the row that is like the thesis's. The estimates take a mean number of cycles for each instruction:</p>
 ";
 
 /// Returns the page.
@@ -93,10 +94,11 @@ fn error(drawn: &Drawn) -> String {
 }
 
 fn table(page: &mut String, content: &Content) {
-    *page += "<table>\n<tr><th>year</th><th>technique</th><th>error</th><th>cost</th><th>seconds</th></tr>\n";
-    for (Technique { name, year, title, .. }, drawn) in &content.rows {
-        let title = escaped(title);
-        put!(page, "<tr><td>{year}</td><td><a href=\"#{name}\">{title}</a></td>");
+    *page += "<table>\n<tr><th>year</th><th>technique</th><th>by</th><th>error</th><th>cost</th><th>seconds</th></tr>\n";
+    for (technique, drawn) in &content.rows {
+        let Technique { name, year, title, .. } = technique;
+        let [title, authors] = [*title, technique.authors()].map(escaped);
+        put!(page, "<tr><td>{year}</td><td><a href=\"#{name}\">{title}</a></td><td>{authors}</td>");
         match drawn {
             Some(drawn) => {
                 put!(page, "<td>{}</td><td>{}</td>", error(drawn), cost(&drawn.cost));
