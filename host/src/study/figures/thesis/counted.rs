@@ -29,7 +29,7 @@ pub const PROCESSORS: [Processor; 2] = [
     Processor {
         board: "pc",
         name: "PC, i486, VGA",
-        words: "i486 at 25 MHz, its first clock (Intel, 1989); 2 cycles an instruction are assumed, with its cache hit. No PS/2 of the thesis has \
+        words: "i486 at 25 MHz, its first clock (Intel, 1989); 2 cycles an instruction are assumed. No PS/2 of the thesis has \
                 one: it is the oldest Intel processor that runs the program as it is",
         megahertz: 25.0,
         cycles: 2.0,

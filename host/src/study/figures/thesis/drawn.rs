@@ -250,7 +250,7 @@ fn solve(scene: Variant, command: &str, folder: &Path, tracing: &Tracing) -> Res
     let seconds = start.elapsed().as_secs_f64();
     if let Some(file) = &args.output {
         let text = solution::text(&solved.solution, &scene.description);
-        write_text(&folder.join(file), &text, &Inputs::NONE)?;
+        write_text(&folder.join(file), &text, Inputs::NONE)?;
     }
     Ok((rays(&solved, method), seconds))
 }

@@ -45,7 +45,7 @@ through its three displays with their own colours. So the times beside each othe
 const INSTRUCTIONS: &str = "\
 <h3>On the machines' kin, emulated</h3>
 <p>The same program without an operating system, on two machines under QEMU, which draw on their own displays (<code>tests/boards</code>).
-Instructions were counted there, by the boards' runner, and are recorded in the program: this page does not run the emulators. Instructions
+Instructions were counted there, by the machines' own timers, and are recorded in the program: this page does not run the emulators. Instructions
 are not cycles: the emulator has neither pipeline nor caches. The i486 works <code>f32</code> out by integers, as one without a coprocessor;
 the SPARC has one, which makes <code>f32</code> the row that is like the thesis's. The estimates take a mean number of cycles for each instruction:</p>
 ";
@@ -231,7 +231,7 @@ fn duration(seconds: f64) -> String {
 
 fn compositions(page: &mut String, content: &Content) {
     for (composition, Run { shown, .. }) in &content.compositions {
-        let title = format!("{}, as a {} shows it", composition.file, composition.machine);
+        let title = format!("{} on the display of the {}", composition.file, composition.machine);
         let (width, height) = (shown.size.width(), (f64::from(shown.size.width()) / shown.aspect).round());
         put!(
             page,
