@@ -45,7 +45,7 @@ pub struct BenchArgs {
     /// Compare light that goes round: a room by two passes, and by the other's radiosity
     ///
     /// The error of both is against a picture of converged paths, after the scaling by one factor that suits best; costs are CPU time and
-    /// instructions of whole processes. Without a scene the Cornell box; pictures are half of the scene's unless --size says it.
+    /// instructions of whole processes. Without a scene the Cornell box.
     #[arg(long, requires = "peer", conflicts_with_all = ["record", "check", "scaling"])]
     pub light: bool,
     /// Write the instructions of small pictures into a CSV file

@@ -17,43 +17,48 @@ use crate::picture::output::{self, Inputs};
 use crate::study::error::StudyError;
 use crate::study::markdown;
 use crate::study::report::Source;
+use crate::study::report::light::raster;
 use crate::study::report::light::room::{Reference, Room};
-use crate::study::report::light::{REFERENCE, raster};
 use process::{Process, ProcessError};
 
 pub mod pictures;
 pub mod process;
 
-/// Settings of rta's: what a patch sees, samples and split of the picture, how the light is shown.
-const OURS: [(&str, &str, &str, &str); 8] = [
-    ("rays:16", "1", "4", "indirect"),
-    ("rays:16", "4", "1", "indirect"),
-    ("rays:32", "4", "2", "indirect"),
-    ("rays:64", "4", "4", "indirect"),
-    ("rays:64", "16", "1", "indirect"),
-    ("rays:64", "16", "4", "indirect"),
-    ("rays:16", "4", "1", "all"),
-    ("rays:64", "16", "1", "all"),
+/// Samples of the paths that both are compared with.
+const PATHS: u32 = 1024;
+
+/// Settings of rta's: patches along a side of a quad, or the scene's; what a patch sees; samples and split of the picture; how the light is
+/// shown.
+const OURS: [(Option<&str>, &str, &str, &str, &str); 9] = [
+    (None, "rays:16", "1", "4", "indirect"),
+    (Some("4"), "rays:16", "4", "1", "indirect"),
+    (None, "rays:16", "4", "1", "indirect"),
+    (None, "rays:64", "4", "1", "indirect"),
+    (None, "rays:64", "4", "4", "indirect"),
+    (None, "rays:64", "16", "1", "indirect"),
+    (None, "rays:256", "16", "1", "indirect"),
+    (None, "rays:16", "4", "1", "all"),
+    (None, "rays:64", "16", "1", "all"),
 ];
 
 const fn radiosity(
-    lamp: u16,
     (count, nearest): (u32, u32),
     error_bound: f64,
     recursion: u32,
     step: f64,
+    smoothing: (f64, u32),
 ) -> Radiosity {
-    Radiosity { lamp, count, nearest, error_bound, recursion, step }
+    Radiosity { lamp: 4, count, nearest, error_bound, recursion, step, smoothing }
 }
 
-/// Settings of POV-Ray's, from quick to good: as its own manual goes, more rays, a smaller bound of the error, more bounces.
+/// Settings of POV-Ray's, from quick to good: more rays from a place, a smaller bound of the error, more places.
 const THEIRS: [Radiosity; 6] = [
-    radiosity(2, (20, 4), 1.8, 2, 0.04),
-    radiosity(4, (35, 5), 1.0, 2, 0.02),
-    radiosity(4, (50, 5), 1.0, 3, 0.02),
-    radiosity(4, (100, 5), 0.8, 4, 0.02),
-    radiosity(4, (150, 5), 0.5, 5, 0.02),
-    radiosity(4, (200, 5), 0.5, 5, 0.01),
+    radiosity((20, 4), 1.8, 2, 0.04, (0.1, 2)),
+    radiosity((50, 5), 1.0, 5, 0.04, (0.1, 2)),
+    radiosity((100, 5), 1.0, 5, 0.04, (0.1, 2)),
+    radiosity((100, 5), 0.8, 5, 0.02, (0.05, 3)),
+    radiosity((150, 5), 0.5, 5, 0.02, (0.05, 3)),
+    radiosity((200, 5), 0.5, 5, 0.01, (0.05, 3)),
 ];
 
 /// One picture of one program.
@@ -95,13 +100,15 @@ struct Work {
 }
 
 /// Returns rta's work in a number format, on `scene.rta`.
-fn ours(size: &str, program: &str, format: &str) -> Vec<Work> {
+fn ours((size, aspect): (&str, &str), program: &str, format: &str) -> Vec<Work> {
     let rta = |words: &[&str]| Process::new(program, words);
-    let work = |(factors, samples, split, shown): (&'static str, &'static str, &str, &str)| {
-        let solve = ["radiosity", "scene.rta", "-o", "light.txt", "--format", format, "--factors", factors];
+    let work = |&(patches, factors, samples, split, shown): &(Option<&str>, &str, &str, &str, &str)| {
+        let mut solve = vec!["radiosity", "scene.rta", "-o", "light.txt", "--format", format];
+        solve.extend(["--factors", factors]);
+        solve.extend(patches.into_iter().flat_map(|patches| ["--patches", patches]));
         let mut draw =
             vec!["render", "scene.rta", "-o", "ours.pfm", "--quiet", "--device", "none", "--threads", "1"];
-        draw.extend(["--format", format]);
+        draw.extend(["--format", format, "--aspect", aspect]);
         draw.extend(["--size", size, "--light", "light.txt", "--light-as", shown, "--samples", samples]);
         if shown == "indirect" {
             draw.extend(["--split", split]);
@@ -109,12 +116,15 @@ fn ours(size: &str, program: &str, format: &str) -> Vec<Work> {
         let way = if shown == "indirect" { "two passes" } else { "radiosity alone" };
         Work {
             program: "rta",
-            settings: format!("{way}, {factors}, {samples} samples, split {split}"),
+            settings: format!(
+                "{way}, patches {}, {factors}, {samples} samples, split {split}",
+                patches.unwrap_or("scene's")
+            ),
             processes: vec![rta(&solve), rta(&draw)],
             picture: "ours.pfm".to_owned(),
         }
     };
-    OURS.map(work).into()
+    OURS.iter().map(work).collect()
 }
 
 /// Returns POV-Ray's work, on `0.pov`, `1.pov` and so on.
@@ -123,8 +133,10 @@ fn theirs(width: &str, height: &str) -> Vec<Work> {
     let work = |(number, radiosity): (u32, &Radiosity)| {
         let (input, size) = (format!("+I{number}.pov"), [format!("+W{width}"), format!("+H{height}")]);
         let mut words = vec![&*input, "+Otheirs.ppm", "+FP16", "File_Gamma=1.0", "+WT1"];
-        // Edges smoothed where neighbours differ, by up to 9 rays.
-        words.extend(["+A0.05", "+R3", "+AM2", "+Q9", "-D", "-V", "-GA"]);
+        let (threshold, depth) = radiosity.smoothing;
+        let smoothing = [format!("+A{threshold}"), format!("+R{depth}")];
+        words.extend(smoothing.iter().map(String::as_str));
+        words.extend(["+AM2", "+Q9", "-D", "-V", "-GA"]);
         words.extend(size.iter().map(String::as_str));
         Work {
             program: "povray",
@@ -137,10 +149,10 @@ fn theirs(width: &str, height: &str) -> Vec<Work> {
 }
 
 fn compared(source: &Source, args: &BenchArgs) -> Result<String, StudyError> {
-    let (size, aspect) = raster(&source.scene, (args.size, None))?;
+    let (size, aspect) = raster(&source.scene, 1, (args.size, None))?;
     let room = Room::new(source, (size, aspect))?;
     let stop = interrupt::watch();
-    let reference = room.reference(REFERENCE, (&bands::pool(None)?, stop))?;
+    let reference = room.reference(PATHS, (&bands::pool(None)?, stop))?;
     let folder = tempfile::tempdir().map_err(ProcessError::Folder).map_err(StudyError::bench)?;
     let write = |name: &str, text: &[u8]| {
         std::fs::write(folder.path().join(name), text)
@@ -155,7 +167,8 @@ fn compared(source: &Source, args: &BenchArgs) -> Result<String, StudyError> {
     }
     let program = std::env::current_exe().map_err(ProcessError::Folder).map_err(StudyError::bench)?;
     let [all, width, height] = [size.to_string(), size.width().to_string(), size.height().to_string()];
-    let mut works = ours(&all, &program.display().to_string(), &args.format.to_string());
+    let mut works =
+        ours((&all, &aspect.to_string()), &program.display().to_string(), &args.format.to_string());
     works.extend(theirs(&width, &height));
     let mut progress = Progress::new(u32::try_from(works.len()).unwrap_or(u32::MAX));
     let (mut rows, mut uncounted): (Vec<Row>, Option<CountError>) = (Vec::new(), None);
@@ -217,7 +230,7 @@ fn table(title: &str, size: &str, rows: &[Row]) -> String {
     let seconds = |row: &Row| row.seconds;
     let times = |row: &Row, cost: &dyn Fn(&Row) -> Option<f64>| {
         let good = rows.iter().filter(|own| own.program == "rta" && own.error <= row.error);
-        let least = good.filter_map(cost).min_by(f64::total_cmp)?;
+        let least = good.filter_map(cost).min_by(f64::total_cmp).filter(|least| *least > 0.0)?;
         (row.program == "povray").then(|| cost(row).map(|cost| cost / least))?
     };
     let told = |value: Option<f64>, places: usize| {

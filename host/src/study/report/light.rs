@@ -110,24 +110,26 @@ pub fn run(args: &ReportArgs) -> Result<(), StudyError> {
     let program = std::env::current_exe().ok().filter(|_| !args.no_instructions);
     let (pool, stop) = (bands::pool(None)?, interrupt::watch());
     let study = |source: &Source| {
-        let (size, aspect) = raster(&source.scene, (args.size, args.aspect.map(|aspect| aspect.ratio())))?;
+        let (size, aspect) =
+            raster(&source.scene, STEP, (args.size, args.aspect.map(|aspect| aspect.ratio())))?;
         study(source, Setup { size, aspect, program: program.as_deref(), stop }, REFERENCE, &pool)
     };
     let studies = sources.iter().map(study).collect::<Result<Vec<_>, _>>()?;
     files.write(&studies)
 }
 
-/// Returns the pixels and the shape of a scene's pictures: those that are asked for, else half of the scene's.
+/// Returns the pixels and the shape of a scene's pictures: those that are asked for, else a `step`th of the scene's columns and rows.
 ///
 /// # Errors
 /// Those of a scene's size.
 pub(in crate::study) fn raster(
     scene: &SceneFile,
+    step: u32,
     (size, aspect): (Option<Size>, Option<f64>),
 ) -> Result<(Size, f64), StudyError> {
     let request = Request::of(&ShowArgs::default().tracing, Target::None).for_scene(None, scene)?;
     let (whole, natural) = request.raster()?;
-    let side = |pixels: u32| (pixels / STEP).max(1);
+    let side = |pixels: u32| (pixels / step).max(1);
     let size = size.unwrap_or(Size::clamped(side(whole.width()), side(whole.height())));
     Ok((size, aspect.unwrap_or(natural)))
 }

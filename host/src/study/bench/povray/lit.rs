@@ -23,14 +23,17 @@ pub struct Radiosity {
     pub recursion: u32,
     /// The finest step of the pictures that are traced ahead, as a part of the width; also the least distance that places are kept for.
     pub step: f64,
+    /// Light between neighbours from which on a pixel is refined, 1 is white, and how often.
+    pub smoothing: (f64, u32),
 }
 
 impl fmt::Display for Radiosity {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { lamp, count, nearest, error_bound, recursion, .. } = self;
+        let Self { lamp, count, nearest, error_bound, recursion, step, smoothing: (threshold, depth) } = self;
         write!(
             f,
-            "area_light {lamp} x {lamp}, count {count}, nearest_count {nearest}, error_bound {error_bound}, recursion_limit {recursion}"
+            "area_light {lamp} x {lamp}, count {count}, nearest_count {nearest}, error_bound {error_bound}, recursion_limit {recursion}, \
+             pretrace_end {step}, +A{threshold} +R{depth}"
         )
     }
 }

@@ -54,7 +54,15 @@ fn cones_and_triangles_keep_their_kind() {
 #[test]
 fn a_room_that_is_lit_has_lamps_with_a_size() {
     let room = rta_scenes::read(shipped::CORNELL.as_bytes(), "cornell.rta").expect("a scene");
-    let radiosity = Radiosity { lamp: 4, count: 50, nearest: 5, error_bound: 0.5, recursion: 3, step: 0.02 };
+    let radiosity = Radiosity {
+        lamp: 4,
+        count: 50,
+        nearest: 5,
+        error_bound: 0.5,
+        recursion: 3,
+        step: 0.02,
+        smoothing: (0.1, 2),
+    };
     let text = lit_scene(&room, Model::Lambert, (5, 1.0), &radiosity).expect("it can be traced");
     let count = |words: &str| text.matches(words).count();
     assert_eq!(

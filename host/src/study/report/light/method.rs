@@ -64,9 +64,10 @@ impl Method {
     pub const fn bias(self) -> &'static str {
         match self {
             Self::Ambient => {
-                "The edges of shadows are sharp, as if each lamp were a point in its middle. Light from other surfaces is the same constant \
+                "Each lamp is a point in its middle that shines alike in all directions, so that the edges of shadows are sharp and what is beside a \
+                 flat lamp is too bright. Light from other surfaces is the same constant \
                  everywhere, so that corners are too bright, the ceiling has no shape, and no wall colours its neighbours. Here the constant \
-                 is the best that there is for this very picture; who has no converged paths has to guess it."
+                 is the best that there is for this very picture; who has no paths to compare with has to guess it."
             }
             Self::Distributed => {
                 "Lamps have their size, and shadows their soft edges. Light from other surfaces is still one constant."

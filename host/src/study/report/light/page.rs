@@ -15,6 +15,9 @@ use crate::study::sheet::{beside, cell, displayed, stacked, title};
 /// How many times as bright as they are the differences from the reference are shown.
 const BRIGHTER: f32 = 4.0;
 
+/// The exponent of screens of today, for which the light of the pictures is coded, so that the dark parts of a room are seen.
+const GAMMA: f32 = 2.2;
+
 /// Errors for which the cheapest picture of each method is named, from large to small.
 const TARGETS: [f64; 6] = [0.05, 0.03, 0.02, 0.015, 0.01, 0.007];
 
@@ -129,7 +132,8 @@ fn room(page: &mut String, study: &Study) -> core::fmt::Result {
     writeln!(page, "![Error against CPU seconds of all methods in {title}]({title}-light-seconds.svg)\n")?;
     writeln!(
         page,
-        "The best picture of each method, and below it {BRIGHTER} times what it differs from the paths:\n\n\
+        "The best picture of each method, and below it {BRIGHTER} times what it differs from the paths, coded for a screen with a gamma of \
+         {GAMMA}:\n\n\
          ![The room by all methods, and their differences from paths]({title}-light-pictures.png)\n"
     )?;
     writeln!(
@@ -194,9 +198,6 @@ fn fronts(rows: &[Row]) -> String {
 pub fn pictures(study: &Study) -> Result<Displayed, StudyError> {
     let Study { title: name, best, reference, rows, .. } = study;
     let shape = (study.size, study.aspect);
-    let shown = |light: &[Rgb<f32>]| -> Vec<Rgb<u8>> {
-        light.iter().map(|light| light.map(|register| register.min(1.0)).levels(u8::MAX)).collect()
-    };
     let mut above = Vec::new();
     let mut below = Vec::new();
     for (method, light) in best {
@@ -205,7 +206,11 @@ pub fn pictures(study: &Study) -> Result<Displayed, StudyError> {
         let apart: Vec<_> = light
             .iter()
             .zip(&reference.light)
-            .map(|(light, right)| light.zip(*right, |a, b| BRIGHTER * (a.min(1.0) - b.min(1.0)).abs()))
+            .zip(&reference.compared)
+            .map(|((light, right), is_compared)| {
+                let apart = light.zip(*right, |a, b| BRIGHTER * (a.min(1.0) - b.min(1.0)).abs());
+                if *is_compared { apart } else { Rgb::default() }
+            })
             .collect();
         above.push(cell(shape, &shown(light), method.name()));
         below.push(cell(shape, &shown(&apart), &format!("{BRIGHTER} x difference, {error:.4}")));
@@ -213,4 +218,12 @@ pub fn pictures(study: &Study) -> Result<Displayed, StudyError> {
     above.push(cell(shape, &shown(&reference.light), &format!("{} paths a pixel", reference.samples)));
     let (above, below) = (beside(&above), beside(&below));
     displayed(&stacked(&[title(above.width, &format!("{name}: light that goes round")), above, below]))
+}
+
+/// Returns light as a screen of today shows it.
+fn shown(light: &[Rgb<f32>]) -> Vec<Rgb<u8>> {
+    light
+        .iter()
+        .map(|light| light.map(|register| register.clamp(0.0, 1.0).powf(1.0 / GAMMA)).levels(u8::MAX))
+        .collect()
 }
