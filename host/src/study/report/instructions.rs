@@ -8,7 +8,6 @@ use rta_core::raster::Raster;
 use rta_core::sampling::{Places, Sampling};
 
 use super::bench::{bench, smaller};
-use super::light;
 use super::setting::{Limit, Method, samplings};
 use crate::args::InstructionsArgs;
 use crate::engine::EngineError;
@@ -41,14 +40,11 @@ pub fn order() -> impl Iterator<Item = (Method, Limit)> {
     counted.flat_map(Method::with).flat_map(|method| Limit::all().map(move |limit| (method, limit)))
 }
 
-/// The child: traces everything in [`order`], or what [`light`] counts, and prints nothing.
+/// The child: traces everything in [`order`], and prints nothing.
 ///
 /// # Errors
 /// Those of reading a scene and making it ready.
 pub fn run(args: &InstructionsArgs) -> Result<(), StudyError> {
-    if args.light {
-        return light::counting::run(args);
-    }
     let scene = SceneFile::open(Path::new("-"))?;
     let failed = |source| RequestError::Engine { name: scene.source.clone(), source };
     let raster =

@@ -74,7 +74,12 @@ fn a_room_that_is_lit_has_lamps_with_a_size() {
         ],
         [1; 4]
     );
-    assert!(text.contains("spotlight point_at <2.78, 2.795, 4.487") && text.contains("count 50 "), "{text}");
+    assert!(
+        text.contains("spotlight point_at <2.78")
+            && text.contains(", 2.795, 4.487> radius")
+            && text.contains("count 50 "),
+        "{text}"
+    );
     // Without it, it has neither.
     let text = scene(&room, Model::Lambert, 5, 1.0).expect("it can be traced");
     assert!(!text.contains("light_source") && !text.contains("emission"), "{text}");
