@@ -71,6 +71,7 @@ fn run(command: Option<Command>) -> Result<(), Error> {
         Some(Command::Report(args)) => report::run(&args)?,
         Some(Command::Figures(args)) => figures::run(&args)?,
         Some(Command::Gallery(args)) => gallery::run(&args)?,
+        Some(Command::Instructions(args)) if args.light => report::light::counting::run(&args)?,
         Some(Command::Instructions(args)) => report::instructions::run(&args)?,
         Some(Command::Bench(args)) => bench::run(&args)?,
         Some(Command::Traced(args)) => bench::child::run(&args)?,

@@ -100,7 +100,7 @@ impl Request {
     /// the scene has it.
     ///
     /// # Errors
-    /// [`RequestError::TableWithoutDevice`], and those of [`solution::open`], [`sampler()`] and [`Request::for_scene`].
+    /// [`RequestError::TableWithoutDevice`], [`RequestError::OfSobol`] for solved light with a grid, and those of [`solution::open`], [`sampler()`] and [`Request::for_scene`].
     pub fn of_scene(asked: &TracingArgs, target: Target, scene: &SceneFile) -> Result<Self, RequestError> {
         if target == Target::None && (asked.table.is_some() || asked.dither.is_some()) {
             return Err(RequestError::TableWithoutDevice);
@@ -117,6 +117,10 @@ impl Request {
         let sampling = with_paths(sampling, asked.depth, false);
         if light.is_some() && is_of_paths(&sampling) {
             return Err(RequestError::Solved);
+        }
+        if light.is_some() && sampling.spreading().is_none() {
+            // Tracers of rays that are not spread know no solved light: the picture would be dark.
+            return Err(RequestError::OfSobol("--light"));
         }
         Ok(Self { depth, cutoff, sampling, light, ..request })
     }

@@ -36,9 +36,10 @@ pub const TECHNIQUES: &str = include_str!("../techniques.rta");
 pub const BALLS_2: &str = include_str!("../balls2.nff");
 
 /// The scene files that pictures of the documents are drawn from, in a folder of their own with [`PICTURES`]: names and texts.
-pub const FILES: [(&str, &str); 12] = [
+pub const FILES: [(&str, &str); 13] = [
     ("balls2.nff", BALLS_2),
     ("chrome.rta", include_str!("../chrome.rta")),
+    ("cornell.rta", CORNELL),
     ("glass-2.dat", GLASS_2),
     ("glasses.rta", include_str!("../glasses.rta")),
     ("hall-22.dat", HALL_22),
@@ -58,3 +59,6 @@ pub const SPREADING: [(&str, &str); 4] = [
     ("lens", include_str!("../lens.rta")),
     ("motion", include_str!("../motion.rta")),
 ];
+
+/// The Cornell box (C. Goral and others 1984; as it was measured later), lit by a quad that emits.
+pub const CORNELL: &str = include_str!("../cornell.rta");

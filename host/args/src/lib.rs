@@ -129,6 +129,9 @@ pub enum Command {
     ///
     /// Of scenes whose rays can be spread, the page and spreading.csv also have error against cost for samples, sampler, lamps,
     /// antialiasing and splitting, slopes of log error over log samples, and the variances of a pixel with the best --split.
+    ///
+    /// With --light it compares instead how light that goes round in a room is found, by all methods from ambient light to paths: light.md,
+    /// light.csv, and for each scene its diagrams and its pictures.
     Report(ReportArgs),
     /// Draw the thesis's figures again, and run its techniques and times again: two pages
     ///

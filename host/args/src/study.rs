@@ -42,6 +42,12 @@ pub struct BenchArgs {
     /// Another ray tracer that renders the same scenes in turn with rta
     #[arg(long, value_enum, ignore_case = true, value_name = "PROGRAM", conflicts_with_all = ["record", "check"])]
     pub peer: Option<Peer>,
+    /// Compare light that goes round: a room by two passes, and by the other's radiosity
+    ///
+    /// The error of both is against a picture of converged paths, after the scaling by one factor that suits best; costs are CPU time and
+    /// instructions of whole processes. Without a scene the Cornell box.
+    #[arg(long, requires = "peer", conflicts_with_all = ["record", "check", "scaling"])]
+    pub light: bool,
     /// Write the instructions of small pictures into a CSV file
     #[arg(long, value_name = "FILE", conflicts_with = "check")]
     pub record: Option<PathBuf>,
@@ -79,20 +85,26 @@ pub struct TracedArgs {
 /// `rta report`.
 #[derive(Args, Debug)]
 pub struct ReportArgs {
-    /// Scene files (.dat or .nff); without one, the three that come with the program
+    /// Scene files; without one, the three of the thesis, and with --light the Cornell box
     pub scenes: Vec<PathBuf>,
     /// Folder that the report is written to; it is made if it is not there
     #[arg(short, long, value_name = "FOLDER")]
     pub output: PathBuf,
+    /// Compare the ways to find light that goes round: ambient light, radiosity, two passes, distributed rays and paths
+    ///
+    /// For rooms in which something emits: error against a picture of converged paths, rays, CPU time and instructions, on one
+    /// diagram for each scene, with the pictures side by side.
+    #[arg(long)]
+    pub light: bool,
     /// Do not count instructions: cost is rays
     #[arg(long)]
     pub no_instructions: bool,
-    /// Pixels of the pictures, up to 320x200; few are soon measured, and badly
-    #[arg(long, value_name = "WxH", default_value = "320x200", hide = true)]
-    pub size: Size,
-    /// Shape of the screen.
-    #[arg(long, value_name = "RATIO", default_value = "4:3", hide = true)]
-    pub aspect: Aspect,
+    /// Pixels of the pictures [default: 320x200, the most without --light; with it half of the scene's]; few are soon measured, and badly
+    #[arg(long, value_name = "WxH", hide = true)]
+    pub size: Option<Size>,
+    /// Shape of the screen [default: 4:3; with --light the scene's].
+    #[arg(long, value_name = "RATIO", hide = true)]
+    pub aspect: Option<Aspect>,
 }
 
 /// `rta figures`.
@@ -131,6 +143,9 @@ pub struct InstructionsArgs {
     /// Shape of the screen.
     #[arg(long)]
     pub aspect: Aspect,
+    /// The work of --light.
+    #[arg(long)]
+    pub light: bool,
 }
 
 /// `rta stability`.

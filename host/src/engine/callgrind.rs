@@ -89,6 +89,38 @@ pub fn count(
     Ok(counts)
 }
 
+/// Counts the instructions of a whole program, run in `folder` with `arguments`, from its start to its end. Once `stop` is true it is
+/// killed, which is [`CountError::Failed`].
+///
+/// # Errors
+/// All of [`CountError`].
+pub fn whole(
+    program: &str,
+    arguments: &[String],
+    folder: &Path,
+    stop: &AtomicBool,
+) -> Result<u64, CountError> {
+    let own = tempfile::tempdir()?;
+    let (counts, words) = (own.path().join("count"), own.path().join("words"));
+    let mut child = Command::new("valgrind")
+        .args(["--quiet", "--tool=callgrind", "--dump-instr=no", "--dump-line=no"])
+        .arg(format!("--callgrind-out-file={}", counts.display()))
+        .arg(program)
+        .args(arguments)
+        .current_dir(folder)
+        .stdin(Stdio::null())
+        .stdout(Stdio::null())
+        // Into a file: a pipe that nobody empties would stop a program that says much.
+        .stderr(fs::File::create(&words)?)
+        .spawn()
+        .map_err(CountError::Valgrind)?;
+    wait(&mut child, stop)?;
+    if !child.wait()?.success() {
+        return Err(CountError::Failed(String::from_utf8_lossy(&fs::read(&words)?).trim().to_owned()));
+    }
+    total(&fs::read_to_string(&counts)?).ok_or(CountError::Incomplete { found: 0, expected: 1 })
+}
+
 /// Waits until the process ends, or kills it once `stop` becomes true.
 fn wait(child: &mut Child, stop: &AtomicBool) -> io::Result<()> {
     while child.try_wait()?.is_none() {

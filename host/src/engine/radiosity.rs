@@ -1,6 +1,6 @@
 //! Radiosity: the light of all diffuse surfaces of a scene, in a number format that is chosen when the program runs.
 
-use core::sync::atomic::{AtomicBool, Ordering};
+use core::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 
 use rta_args::radiosity::{Factors, Method};
 use rta_core::color::Rgb;
@@ -20,9 +20,11 @@ use super::bands::BandsError;
 use super::progress::Progress;
 use super::{EngineError, Format};
 
+mod counted;
 mod exact;
 mod light;
 
+use counted::Counted;
 pub use exact::is_plain_room;
 use light::{Found, gathered, rows, shot};
 
@@ -69,6 +71,8 @@ pub struct Solved {
     pub is_done: bool,
     /// What is emitted, and what surfaces absorb, each a sum over areas, linear RGB.
     pub balance: [[f64; 3]; 2],
+    /// Rays that it took, of factors and to what emits.
+    pub rays: u64,
 }
 
 /// Why a scene is not solved.
@@ -185,7 +189,8 @@ fn solved_in<S: Narrow>(
     let limits = narrowed.admit().map_err(EngineError::from)?.limits;
     let built = bvh::build::<S>(&scene);
     let search = built.bvh().map_or(Search::Lists, Search::Hierarchy);
-    let admitted = Admitted::baked(narrowed.scene(), limits, search);
+    let rays = AtomicU64::new(0);
+    let admitted = Admitted::baked(narrowed.scene(), limits, Counted { search, rays: &rays });
     let quads = quads::<S>(&scene).map_err(EngineError::from)?;
     let mesh = Mesh::new(&quads, &admitted.scene)?;
     let work = Work { admitted: &admitted, mesh, scene: &scene, settings, stop };
@@ -229,12 +234,13 @@ fn solved_in<S: Narrow>(
     }
     let Found { rounds, left, is_done, .. } = found;
     let solution = Solution { patches: settings.patches, arriving };
-    Ok(Solved { scene, solution, radiosity, factors, rounds, left, is_done, balance })
+    let rays = rays.load(Ordering::Relaxed);
+    Ok(Solved { scene, solution, radiosity, factors, rounds, left, is_done, balance, rays })
 }
 
 /// A scene that is being solved.
 struct Work<'a, S: Scalar> {
-    admitted: &'a Admitted<'a, S, Search<'a, S>>,
+    admitted: &'a Admitted<'a, S, Counted<'a, Search<'a, S>>>,
     mesh: Mesh<'a, S>,
     scene: &'a Description,
     settings: Settings,

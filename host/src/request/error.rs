@@ -126,7 +126,7 @@ pub enum RequestError {
     #[error("--jitter is about the cells of a grid, and --sampler sobol has none; its noise has a --seed")]
     OfGrid,
     /// An option of the other sampler.
-    #[error("{_0} is about rays that are spread, which those of --sampler grid are not")]
+    #[error("{_0} is about rays that are spread, which those of --sampler grid and of --aa are not")]
     OfSobol(&'static str),
     /// A grid of samples for a picture that is traced in passes.
     #[error("{_0} adds samples to those that are there, and a --sampler grid has all of its samples at once")]

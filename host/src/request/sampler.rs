@@ -16,7 +16,7 @@ use super::error::RequestError;
 pub const SPREAD: u32 = 16;
 
 /// The most bounces of a path where nobody says another number.
-const BOUNCES: u8 = 64;
+pub const BOUNCES: u8 = 64;
 
 /// The most samples of a pixel that ends early where its samples agree.
 const SETTLED: u32 = 64;

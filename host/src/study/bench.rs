@@ -5,6 +5,7 @@
 //! | what is measured | [`case`], [`spheres`] |
 //! | instructions under valgrind | [`child`] |
 //! | the same scenes in POV-Ray | [`povray`], [`peer`] |
+//! | light that goes round, beside POV-Ray's radiosity | [`light`] |
 //! | the table | [`markdown`] |
 //! | instructions that are recorded, and counted again | [`drift`] |
 
@@ -24,6 +25,7 @@ use rta_packets::tally::Rays;
 pub mod case;
 pub mod child;
 pub mod drift;
+pub mod light;
 pub mod peer;
 pub mod povray;
 pub mod spheres;
@@ -53,6 +55,9 @@ struct Row {
 /// # Errors
 /// All of [`StudyError`].
 pub fn run(args: &BenchArgs) -> Result<(), StudyError> {
+    if args.light {
+        return light::run(args);
+    }
     let stop = interrupt::watch();
     if let Some(file) = &args.record {
         return drift::record(args, file, stop);

@@ -3,6 +3,7 @@
 use std::io;
 
 use crate::engine::bands::BandsError;
+use crate::engine::radiosity::RadiosityError;
 use crate::picture::error::{PictureError, reason};
 use crate::picture::raster::Size;
 use crate::request::error::RequestError;
@@ -99,6 +100,14 @@ pub enum StudyError {
     /// Algorithms of visibility disagree.
     #[error("the ids differ")]
     IdsDiffer,
+    /// A scene's radiosity is not found.
+    #[error("{scene}: {source}")]
+    Radiosity {
+        /// The name of the scene's file.
+        scene: String,
+        /// Why.
+        source: RadiosityError,
+    },
     /// The report's tables or diagrams cannot be made.
     #[error("the report: {0}")]
     Report(Box<dyn core::error::Error + Send + Sync>),

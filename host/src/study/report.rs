@@ -10,6 +10,7 @@
 //! | instructions under valgrind | [`instructions`] |
 //! | errors and costs of every setting of a scene | [`mod@study`] |
 //! | rays that are spread: samplers, lamps, antialiasing, splitting | [`mod@spreading`] |
+//! | light that goes round: ambient light, radiosity, two passes, distributed rays, paths | [`mod@light`] |
 //! | the files | [`table`], [`diagram`], [`page`] |
 
 use core::iter;
@@ -33,6 +34,7 @@ pub mod contributions;
 pub mod diagram;
 pub mod display;
 pub mod instructions;
+pub mod light;
 pub mod measure;
 pub mod page;
 pub mod setting;
@@ -59,7 +61,10 @@ pub struct Source {
 /// # Errors
 /// All of [`StudyError`].
 pub fn run(args: &ReportArgs) -> Result<(), StudyError> {
-    let (size, device) = (args.size, Device::Vga);
+    if args.light {
+        return light::run(args);
+    }
+    let (size, device) = (args.size.unwrap_or(Device::Vga.size()), Device::Vga);
     if size.width() > device.size().width() || size.height() > device.size().height() {
         return Err(PictureError::LargerThanDevice { size, device }.into());
     }
@@ -72,7 +77,7 @@ pub fn run(args: &ReportArgs) -> Result<(), StudyError> {
     output::make_folder(&args.output)?;
     let setup = Setup {
         size,
-        aspect: args.aspect.ratio(),
+        aspect: args.aspect.map_or(Device::Vga.aspect(), |aspect| aspect.ratio()),
         program: if args.no_instructions { None } else { program.as_deref() },
         stop: interrupt::watch(),
     };
@@ -89,6 +94,19 @@ pub fn run(args: &ReportArgs) -> Result<(), StudyError> {
 }
 
 impl Source {
+    /// Returns the Cornell box, which is part of the program.
+    ///
+    /// # Errors
+    /// [`RequestError::Scene`](crate::request::error::RequestError::Scene) if it is malformed.
+    pub fn cornell() -> Result<Self, StudyError> {
+        Self::of_program(("cornell", shipped::CORNELL))
+    }
+
+    fn of_program((title, text): (&str, &str)) -> Result<Self, StudyError> {
+        let scene = SceneFile::of_text(title, text, Reading::default())?;
+        Ok(Self { scene, text: text.as_bytes().to_vec(), title: title.to_owned() })
+    }
+
     /// Returns whether rays of the scene can be spread over more than the pixel.
     #[must_use]
     pub fn spreads(&self) -> bool {
@@ -98,15 +116,11 @@ impl Source {
 
 /// Returns the scenes of the program that are small and whose rays spread, each in one way.
 fn shipped_spread() -> Result<Vec<Source>, StudyError> {
-    let source = |(title, text): (&str, &str)| {
-        let scene = SceneFile::of_text(title, text, Reading::default())?;
-        Ok(Source { scene, text: text.as_bytes().to_vec(), title: title.to_owned() })
-    };
-    shipped::SPREADING.into_iter().map(source).collect()
+    shipped::SPREADING.into_iter().map(Source::of_program).collect()
 }
 
 /// Reads the scenes, or takes the thesis's three if no file is named.
-fn sources(paths: &[PathBuf]) -> Result<Vec<Source>, StudyError> {
+pub(in crate::study) fn sources(paths: &[PathBuf]) -> Result<Vec<Source>, StudyError> {
     let mut sources: Vec<Source> = Vec::new();
     let scenes: Vec<_> = if paths.is_empty() {
         SceneFile::shipped()?

@@ -98,6 +98,44 @@ fn a_peer_that_is_not_there_is_an_error() {
     }
 }
 
+/// A floor below a lamp.
+const ROOM: &str = "\
+rta 1
+picture 8 8  screen 1 1
+camera at 1 -3 1  look 0 1 0  lens 1
+model lambert
+material light  emits 6 6 6
+quad 0 0 0  2 0 0  2 2 0  0 2 0  patches 2 2  color .7 .7 .7
+quad .5 .5 2  .5 1.5 2  1.5 1.5 2  1.5 .5 2  color .5 .5 .5  of light
+quad 0 2 0  2 2 0  2 2 2  0 2 2  patches 2 2  color .7 .7 .7
+";
+
+#[test]
+fn a_room_is_lit_beside_the_peers_radiosity() {
+    let folder = Folder::new();
+    folder.scene("room.rta", ROOM);
+    let asked = ["bench", "room.rta", "--light", "--peer", "povray", "--runs", "1", "--no-instructions"];
+    let ended = folder.command(&asked).env("PATH", "/nowhere").output().unwrap();
+    let said = String::from_utf8(ended.stderr).unwrap();
+    assert!(ended.status.code() == Some(2) && said.contains("povray cannot be started"), "{said}");
+    assert_eq!(folder.rta(&["bench", "room.rta", "--light"]).status.code(), Some(2), "beside whom?");
+    if is_installed("povray") {
+        let text = folder.prints(&asked);
+        let rows = rows(text.strip_prefix("room, 8x8:\n\n").expect("a title"));
+        let [ours, theirs] = ["rta", "povray"]
+            .map(|program| rows.iter().filter(|row| cell(row, "program") == program).count());
+        assert_eq!((ours, theirs), (9, 6), "{text}");
+        // Both draw the room as bright as the paths do.
+        let good = |program: &str| {
+            rows.iter().filter(|row| cell(row, "program") == program).any(|row| {
+                let number = |name: &str| cell(row, name).parse::<f64>().unwrap();
+                (number("factor") - 1.0).abs() < 0.1 && number("RMSE") < 0.025
+            })
+        };
+        assert!(good("rta") && good("povray"), "{text}");
+    }
+}
+
 #[test]
 fn instructions_are_recorded_and_checked() {
     let folder = Folder::new();

@@ -12,6 +12,7 @@ mod firmware;
 mod folder;
 mod gallery;
 mod language;
+mod light_report;
 #[cfg(all(unix, feature = "image"))] // what the system says, and the names of all picture files
 mod mistakes;
 mod nff;

@@ -108,6 +108,10 @@ fn a_solution_is_kept_and_shown_and_is_that_of_its_scene() {
     folder.refuses(&["render", "g.rta", "-o", "i.png", "--light", "i.rta"], &["i.rta", "line 1"]);
     folder.refuses(&["render", "g.rta", "-o", "i.png", "--light", "nothing.txt"], &["nothing.txt"]);
     folder.refuses(&["render", "g.rta", "-o", "i.png", "--light", "solve", "--light-as", "all"], &["solve"]);
+    for way in [["--aa", "whitted"], ["--sampler", "grid"]] {
+        let args = [&["render", "g.rta", "-o", "i.png", "--light", "g.txt"], &way[..]].concat();
+        folder.refuses(&args, &["--light", "spread"]);
+    }
     let source = folder.prints(&["bake", "g.rta", "-o", "-", "--light", "g.txt"]);
     assert!(
         source.contains("const PATCHES: usize = 54") && source.contains("RADIOSITY: bool = true"),

@@ -23,6 +23,8 @@ pub struct Picture {
 const FIGURES: &str = "rta figures -o figures";
 /// Draws a diagram of what it has measured.
 const REPORT: &str = "rta report scenes/glass-2.dat -o report";
+/// Draws a room by all ways to find light that goes round, and a diagram of what they cost.
+const LIGHT: &str = "rta report --light scenes/cornell.rta -o light";
 
 /// What is to be seen in a picture, and the command that draws it and nothing else.
 const DRAWN: &[(&str, &str)] = &[
@@ -97,6 +99,18 @@ const AMONG_OTHERS: &[[&str; 4]] = &[
         REPORT,
         "glass-2.png",
     ],
+    [
+        "scenes/cornell-light-pictures.png",
+        "The Cornell box by ambient light, distributed rays, radiosity, two passes and paths",
+        LIGHT,
+        "cornell-light-pictures.png",
+    ],
+    [
+        "scenes/cornell-light.png",
+        "Work-precision diagram of the Cornell box: error against cost by five methods",
+        LIGHT,
+        "cornell-light.png",
+    ],
 ];
 
 /// Returns all pictures.
@@ -124,10 +138,10 @@ pub fn all() -> Vec<Picture> {
 }
 
 impl Picture {
-    /// Returns whether it shows costs that were measured, which differ between machines and builds.
+    /// Returns whether it is of a report, which shows costs that were measured, and which differ between machines and builds.
     #[must_use]
     pub fn is_measured(&self) -> bool {
-        self.command == REPORT
+        [REPORT, LIGHT].contains(&self.command)
     }
 }
 

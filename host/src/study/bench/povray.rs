@@ -1,6 +1,8 @@
 //! Scenes for POV-Ray 3.7: the same things before the same eye, which take it the same rays. Shading is as near as its
 //! own models come.
 //!
+//! [`lit`] are rooms in which something emits.
+//!
 //! Coordinates need no change: POV-Ray's left hand shows in its usual camera alone, and this one is given by its vectors.
 
 use core::fmt::Write;
@@ -12,6 +14,10 @@ use rta_scenes::narrow::narrow;
 
 use crate::engine::{EngineError, Model};
 
+pub mod lit;
+
+use lit::Radiosity;
+
 /// Half of a vertical cylinder, which has no end in rta.
 const REACH: f64 = 1000.0;
 
@@ -20,22 +26,49 @@ const REACH: f64 = 1000.0;
 /// # Errors
 /// None that a scene which can be traced has.
 pub fn scene(scene: &Description, model: Model, depth: u32, aspect: f64) -> Result<String, EngineError> {
+    written(scene, model, (depth, aspect), None)
+}
+
+/// Like [`scene`], with lamps that have the size of what emits, and POV-Ray's own light that goes round.
+///
+/// # Errors
+/// Those of [`scene`].
+pub fn lit_scene(
+    scene: &Description,
+    model: Model,
+    screen: (u32, f64),
+    radiosity: &Radiosity,
+) -> Result<String, EngineError> {
+    written(&lit::lit(scene), model, screen, Some(radiosity))
+}
+
+fn written(
+    scene: &Description,
+    model: Model,
+    (depth, aspect): (u32, f64),
+    radiosity: Option<&Radiosity>,
+) -> Result<String, EngineError> {
     let mut file = File {
         text: String::new(),
         materials: HashMap::new(),
         model,
         ambient: scene.ambient,
         named: &scene.materials,
+        is_lit: radiosity.is_some(),
     };
     // Depth 0 is the eye's own ray. Nothing is left out for bringing little light.
     let level = depth + 1;
+    let round = radiosity.map(Radiosity::settings).unwrap_or_default();
     file.line(format_args!(
-        "#version 3.7;\nglobal_settings {{ assumed_gamma 1 max_trace_level {level} adc_bailout 0 ambient_light rgb 1 }}"
+        "#version 3.7;\nglobal_settings {{ assumed_gamma 1 max_trace_level {level} adc_bailout 0 ambient_light rgb 1{round} }}"
     ));
     file.camera(scene, aspect)?;
     file.sky(scene);
-    for lamp in &scene.lamps {
-        file.lamp(lamp);
+    for (number, lamp) in scene.lamps.iter().enumerate() {
+        match radiosity.zip(scene.details.lamps.get(&number)) {
+            Some((radiosity, shape)) => file.area_lamp(lamp, shape, radiosity.lamp),
+            None => file.lamp(lamp),
+        }
     }
     if let Some(floor) = &scene.floor {
         let [even, odd] = floor.colors.map(vector);
@@ -60,6 +93,8 @@ struct File<'a> {
     model: Model,
     ambient: [f64; 3],
     named: &'a [Material],
+    /// Whether what emits shines.
+    is_lit: bool,
 }
 
 impl File<'_> {
@@ -154,7 +189,14 @@ impl File<'_> {
 
     fn mesh(&mut self, alike: &[Triangle]) {
         let Some(first) = alike.first() else { return };
-        let material = self.material(first.color, &first.surface);
+        let mut material = self.material(first.color, &first.surface);
+        if let Some(light) = self.emission(&first.surface) {
+            // Its light comes by its lamp.
+            let light = vector(light);
+            material = format!(
+                "no_shadow no_radiosity pigment {{ rgb 1 }} finish {{ ambient 0 diffuse 0 emission rgb {light} }}"
+            );
+        }
         self.line(format_args!("mesh {{"));
         for triangle in alike {
             let [a, b, c] = triangle.vertices.map(vector);
@@ -250,61 +292,4 @@ fn vector(v: [f64; 3]) -> String {
 }
 
 #[cfg(test)]
-mod tests {
-    use rta_scenes::{nff, shipped};
-
-    use super::scene;
-    use crate::engine::Model;
-    use crate::request::scene_file::SceneFile;
-
-    #[test]
-    fn everything_is_in_the_file_once() {
-        let all =
-            SceneFile::named("hall-22").expect("a shipped scene").expect("it is well formed").description;
-        let text = scene(&all, Model::Rta, 5, 4.0 / 3.0).expect("it can be traced");
-        let count = |words: &str| text.matches(words).count();
-        assert_eq!(count("\ncylinder {"), 6);
-        assert_eq!(count("\nsphere { 0, 1 scale"), 6);
-        assert_eq!(count("\nsphere { <"), 10 + all.lamps.iter().filter(|lamp| lamp.radius > 0.0).count());
-        assert_eq!(count("\nlight_source {"), all.lamps.len());
-        assert_eq!(count("\nplane {"), 1);
-        assert!(text.contains("max_trace_level 6"));
-        // What is used is declared.
-        for line in text.lines().filter(|line| !line.starts_with("#declare")) {
-            if let Some((_, name)) = line.split_once("material { ") {
-                let name = name.split(' ').next().unwrap_or_default();
-                assert_eq!(count(&format!("#declare {name} = ")), 1, "{line}");
-            }
-        }
-    }
-
-    #[test]
-    fn the_eye_is_where_the_scene_has_it() {
-        let balls = nff::read(shipped::BALLS_2.as_bytes(), "balls2.nff").expect("a scene");
-        let text = scene(&balls, Model::Phong, 0, 1.0).expect("it can be traced");
-        assert!(text.contains("camera { perspective location <2.1, 1.3, 1.7> direction <-0."), "{text}");
-        assert!(
-            text.contains("max_trace_level 1 ") && text.contains("background { rgb <0.078, 0.361, 0.753> }")
-        );
-        assert!(!text.contains("fade_power"));
-    }
-
-    #[test]
-    fn cones_and_triangles_keep_their_kind() {
-        let text = "v from 0 -4 1 at 0 0 0 up 0 0 1 angle 40 hither 1 resolution 8 8\nl 5 -5 5\n\
-            f 1 .5 .25 .5 .5 20 0.25 1.5\nc 0 0 0 1 0 0 1 1\nc 0 0 0 1 0 0 1 0.5\np 3 0 0 0 1 0 0 0 1 0\n\
-            pp 3 0 0 0 0 0 1 1 0 0 0 0 1 0 1 0 0 .1 1\n";
-        let description = nff::read(text.as_bytes(), "a.nff").expect("a scene");
-        let text = scene(&description, Model::Phong, 5, 1.0).expect("it can be traced");
-        for words in
-            ["\ncylinder { <0.0, 0.0, 0.0>, <0.0, 0.0, 1.0>, 1.0 open", "1.0, <0.0, 0.0, 1.0>, 0.5 open"]
-        {
-            assert!(text.contains(words), "{words} in {text}");
-        }
-        assert_eq!(
-            ["\nmesh {", "\ntriangle {", "\nsmooth_triangle {"].map(|w| text.matches(w).count()),
-            [1; 3]
-        );
-        assert!(text.contains("transmit 0.25") && text.contains("interior { ior 1.5 }"), "{text}");
-    }
-}
+mod tests;

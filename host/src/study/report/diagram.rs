@@ -92,7 +92,7 @@ fn radius(method: Method) -> i32 {
 }
 
 /// An axis that holds all points with a little room.
-fn around(values: impl Iterator<Item = f64> + Clone) -> Range<f64> {
+pub(super) fn around(values: impl Iterator<Item = f64> + Clone) -> Range<f64> {
     let positive = values.filter(|value| *value > 0.0);
     let least = positive.clone().fold(f64::INFINITY, f64::min);
     let most = positive.fold(0.0, f64::max);
@@ -100,7 +100,7 @@ fn around(values: impl Iterator<Item = f64> + Clone) -> Range<f64> {
 }
 
 /// An axis with its ticks at 1, 2 and 5 times the powers of ten.
-fn axis(range: &Range<f64>) -> WithKeyPoints<LogCoord<f64>> {
+pub(super) fn axis(range: &Range<f64>) -> WithKeyPoints<LogCoord<f64>> {
     let mut ticks = Vec::new();
     let mut power = 10_f64.powf(range.start.log10().floor());
     while power < range.end {
@@ -152,7 +152,7 @@ fn draw<B: DrawingBackend>(root: &Area<B>, study: &Study) -> Result<(), DrawErro
 }
 
 /// The label of a tick.
-fn label(tick: f64) -> String {
+pub(super) fn label(tick: f64) -> String {
     let exponent = (tick * 1.0001).log10().floor();
     let digit = (tick / 10_f64.powf(exponent)).round();
     if (-4.0..0.0).contains(&exponent) {
