@@ -1,0 +1,73 @@
+//! Where a rough surface reflects and refracts a cone to: one cone for all of its facets.
+
+use rta_core::needs::Everything;
+use rta_core::sampling::mapping::Facets;
+use rta_core::surface::Surface;
+use rta_core::trace::decision::refract;
+use rta_core::vector::{UnitVec3, Vec3};
+
+/// Facets along each side of a square of numbers by which they are chosen, as samples choose them.
+const SIDE: u32 = 8;
+
+/// What a rough surface makes of a ray.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Lobe {
+    /// The mean of the directions.
+    pub axis: UnitVec3<f64>,
+    /// The half angle of the cone about it, in radians, half of whose area has half of the light.
+    pub width: f64,
+    /// The part of the light that neighbouring facets do not hide, and that does not leave on the wrong side.
+    pub part: f64,
+}
+
+/// Returns what the facets of a rough surface reflect; `None` if nothing leaves it.
+pub fn reflected(surface: &Surface<f64>, roughness: f64) -> Option<Lobe> {
+    lobe(surface, roughness, 1.0, |facet| Some(surface.incoming.reflect(facet.normal)))
+}
+
+/// Returns what they refract; `None` if nothing leaves it, or if it has no index of refraction.
+pub fn refracted(surface: &Surface<f64>, roughness: f64) -> Option<Lobe> {
+    let glass = surface.material.glass::<Everything>()?;
+    lobe(surface, roughness, -1.0, |facet| refract(facet, glass))
+}
+
+/// Returns the lobe of the directions `bent` by facets, of those that leave on the `side` of the surface: 1 before it, -1 behind it.
+fn lobe(
+    surface: &Surface<f64>,
+    roughness: f64,
+    side: f64,
+    bent: impl Fn(&Surface<f64>) -> Option<UnitVec3<f64>>,
+) -> Option<Lobe> {
+    let facets = Facets { roughness };
+    let view = -surface.incoming;
+    let middle = |cell: u32| (2 * cell + 1) * (u32::MAX / (2 * SIDE));
+    let mut ways = Vec::with_capacity((SIDE * SIDE) as usize);
+    let (mut sum, mut part) = (Vec3::<f64>::ZERO, 0.0);
+    for cell in 0..SIDE * SIDE {
+        let normal = facets.seen::<f64>(surface.normal, view, [middle(cell % SIDE), middle(cell / SIDE)]);
+        let Some(direction) = bent(&Surface { normal, ..*surface }) else { continue };
+        let cosine = side * surface.normal.dot(direction);
+        if cosine <= 0.0 {
+            continue;
+        }
+        let passed = facets.passed(surface.normal.dot(view), cosine);
+        sum += direction * passed;
+        part += passed;
+        ways.push((direction, passed));
+    }
+    let length = sum.length();
+    if length <= 0.0 {
+        return None;
+    }
+    let axis = sum / length;
+    let mut angles: Vec<_> =
+        ways.iter().map(|(way, passed)| (axis.dot(*way).clamp(-1.0, 1.0).acos(), *passed)).collect();
+    angles.sort_by(|(one, _), (other, _)| one.total_cmp(other));
+    let mut within = 0.0;
+    let median = angles.iter().find_map(|(angle, passed)| {
+        within += passed;
+        (within >= part / 2.0).then_some(*angle)
+    });
+    let width = core::f64::consts::SQRT_2 * median.unwrap_or(0.0);
+    Some(Lobe { axis, width, part: part / f64::from(SIDE * SIDE) })
+}
