@@ -10,6 +10,7 @@
 //! | what rough surfaces do | [`gloss`] |
 //! | what a cone meets, from near to far | [`hits`] |
 //! | the floor's tiles | [`tiles`] |
+//! | which is before which | [`order`] |
 //! | shading, and the tree of reflected and refracted cones | [`tree`] |
 
 use rta_core::Error;
@@ -38,6 +39,7 @@ pub mod cover;
 pub mod curvature;
 pub mod gloss;
 pub mod hits;
+pub mod order;
 pub mod outline;
 pub mod tiles;
 pub mod tree;

@@ -190,3 +190,6 @@ fn other(samples: u32) -> Sampler {
         sampler => sampler,
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -71,3 +71,59 @@ fn lobe(
     let width = core::f64::consts::SQRT_2 * median.unwrap_or(0.0);
     Some(Lobe { axis, width, part: part / f64::from(SIDE * SIDE) })
 }
+
+#[cfg(test)]
+mod tests {
+    use rta_core::color::Rgb;
+    use rta_core::material::{Glass, Material};
+    use rta_core::surface::Surface;
+    use rta_core::vector::{UnitVec3, Vec3};
+
+    use super::{Lobe, reflected, refracted};
+
+    fn surface(degrees: f64, material: &Material<f64>) -> Surface<'_, f64> {
+        let (sine, cosine) = degrees.to_radians().sin_cos();
+        Surface {
+            point: Vec3::<f64>::ZERO,
+            normal: UnitVec3::<f64>::Z,
+            face: None,
+            incoming: UnitVec3::<f64>::new(0.0, sine, -cosine),
+            distance: 1.0,
+            inside: false,
+            extent: 1.0,
+            color: Rgb::new(1.0, 1.0, 1.0),
+            material,
+            surroundings: false,
+            mesh: None,
+            number: 0,
+        }
+    }
+
+    #[test]
+    fn lobes() {
+        // What of the light leaves a rough mirror: the directional albedo.
+        for (roughness, degrees, albedo) in
+            [(0.3, 60.0, 0.821_711_003), (0.5, 0.0, 0.687_848_515), (1.0, 80.0, 0.668_185_944)]
+        {
+            let Lobe { part, .. } =
+                reflected(&surface(degrees, &Material::Mirror), roughness).expect("some of it");
+            assert!((part - albedo).abs() < 0.02, "{roughness} {degrees}: {part}");
+        }
+        // Half of the facets are tilted by less than the arc tangent of the roughness; a mirror turns by twice that.
+        for roughness in [0.01, 0.05, 0.1] {
+            let lobe = reflected(&surface(0.0, &Material::Mirror), roughness).expect("nearly all of it");
+            let width = core::f64::consts::SQRT_2 * 2.0 * f64::atan(roughness);
+            assert!((lobe.width / width - 1.0).abs() < 0.1, "{roughness}: {}, {width}", lobe.width);
+            assert!(lobe.axis.z > 0.999, "{}", lobe.axis);
+            // Glass turns what goes through by a third.
+            let glass = Material::Transparent(Glass::new(0.1, 3, 2));
+            let through = refracted(&surface(0.0, &glass), roughness).expect("nearly all of it");
+            assert!((through.width * 6.0 / lobe.width - 1.0).abs() < 0.1, "{roughness}: {}", through.width);
+            assert!(through.axis.z < -0.999, "{}", through.axis);
+        }
+        // Smooth ones have no width.
+        let smooth = reflected(&surface(30.0, &Material::Mirror), 0.0).expect("all of it");
+        assert!(smooth.width < 1e-6 && (smooth.part - 1.0).abs() < 1e-9, "{smooth:?}");
+        assert_eq!(refracted(&surface(30.0, &Material::Mirror), 0.1), None);
+    }
+}

@@ -12,42 +12,11 @@ use rta_core::world::World;
 
 use super::beam::Beam;
 use super::cover::Covered;
+use super::order::{Body, Met, Own, sort};
 use super::outline::convex;
 
 /// The most things that a cone keeps apart; the parts of those behind are given to the last of them.
 pub const MOST: usize = 8;
-
-/// A thing in a cone.
-#[derive(Clone, Copy, Debug)]
-pub struct Met {
-    /// The thing.
-    pub object: Object,
-    /// The ray in the middle of the part that it covers, and the distance at which that meets it.
-    pub ray: Ray<f64>,
-    /// Distance along that ray.
-    pub distance: f64,
-    /// Distance along the cone's axis.
-    pub along: f64,
-    /// The part of the cone that it covers, with nothing before it.
-    pub part: f64,
-    /// The part that is seen of it.
-    pub seen: f64,
-    body: Body,
-}
-
-/// Of which body a thing is a face: those of one body cover what is beside each other, those of different bodies cover what chance has it.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Body {
-    own: Own,
-    /// Whether it is a face that is seen from behind: those of a closed body cover what its front faces do.
-    is_behind: bool,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq)]
-enum Own {
-    Faces(u32),
-    Thing(Object),
-}
 
 /// What a cone has just left, which it cannot meet at once.
 #[derive(Clone, Copy, Debug)]
@@ -95,7 +64,36 @@ impl Search<'_> {
         found.lamps();
         // It never ends the search.
         let _ = self.world.scene.each::<Everything>(&mut found);
-        seen(found.met)
+        let mut met = found.met;
+        sort(&mut met, |object, ray| self.distance(object, ray));
+        seen(met)
+    }
+}
+
+impl Search<'_> {
+    /// Returns the distance at which a ray meets a thing, if it does.
+    fn distance(&self, object: Object, ray: &Ray<f64>) -> Option<f64> {
+        struct Meeting<'r>(&'r Ray<f64>, Option<f64>);
+        impl Visit<f64> for Meeting<'_> {
+            fn run<P: Primitive<f64>>(&mut self, _first: Object, run: &[P]) -> ControlFlow<()> {
+                self.1 = run.first().and_then(|primitive| primitive.intersect(self.0, f64::FAR));
+                ControlFlow::Break(())
+            }
+        }
+        let scene = &self.world.scene;
+        match object {
+            Object::Floor => scene.floor.as_ref().and_then(|floor| floor.intersect(ray)),
+            Object::Lamp(i) => scene
+                .lamps
+                .get(i as usize)
+                .and_then(|lamp| Sphere::distance(lamp.position, lamp.radius, ray, f64::FAR)),
+            _ => {
+                let mut meeting = Meeting(ray, None);
+                // It ends with the one thing.
+                let _ = scene.one::<Everything>(object, &mut meeting);
+                meeting.1
+            }
+        }
     }
 }
 
@@ -224,10 +222,9 @@ impl Visit<f64> for Found<'_> {
     }
 }
 
-/// Sorts what a cone meets, and tells how much is seen of each thing: faces of one body beside each other, and what is left by different bodies
-/// as if it were left by chance.
+/// Tells how much is seen of each thing, of what a cone meets from near to far: faces of one body beside each other, and what is left by
+/// different bodies as if it were left by chance.
 fn seen(mut met: Vec<Met>) -> Hits {
-    met.sort_by(|a, b| a.along.total_cmp(&b.along));
     let crowded = met.len().saturating_sub(MOST);
     let behind: f64 = met.iter().skip(MOST).map(|met| met.part).sum();
     met.truncate(MOST);

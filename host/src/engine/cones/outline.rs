@@ -56,3 +56,37 @@ pub fn convex(inner: [f64; 2], meets: impl Fn([f64; 2]) -> bool) -> Option<Cover
     }
     part(&outline)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::cover::{Covered, lens, seg};
+    use super::convex;
+
+    fn close(found: Option<Covered>, part: f64, error: f64) {
+        let found = found.map_or(0.0, |covered| covered.part);
+        assert!((found - part).abs() <= error, "{found}, not {part}");
+    }
+
+    #[test]
+    fn discs_and_half_planes() {
+        for (radius, apart) in [(0.3, 0.2), (0.5, 0.8), (1.2, 0.7), (4.0, 4.5), (300.0, 300.4)] {
+            let place: [f64; 2] = [0.6 * apart, -0.8 * apart];
+            let covered = convex(place, |[x, y]| (x - place[0]).hypot(y - place[1]) < radius);
+            close(covered, lens(1.0, radius, apart), 3e-3);
+            let [x, y] = covered.expect("some of it is covered").place;
+            // In the middle of what is covered of the line through both middles, or nearly.
+            let along = 0.6 * x - 0.8 * y;
+            let near = (apart - radius).max(-1.0);
+            assert!(along > near && along < 1.0, "{radius} {apart}: {along}");
+        }
+        // From the edge on, however far its inner place is.
+        for s in [-0.7, 0.0, 0.4] {
+            for far in [0.9, 2.0, 1e3] {
+                close(convex([far, 0.1 * far], |[x, _]| x > s), seg(s), 1e-4);
+            }
+        }
+        close(convex([5.0, 0.0], |[x, y]| (x - 5.0).hypot(y) < 3.0), 0.0, 0.0);
+        close(convex([0.5, 0.0], |_| true), 1.0, 0.0);
+        close(convex([0.5, 0.0], |_| false), 0.0, 0.0);
+    }
+}

@@ -52,3 +52,48 @@ pub fn odd_part(beam: &Beam, tile: f64) -> f64 {
     }
     if all > 0.0 { odd / all } else { 0.5 }
 }
+
+#[cfg(test)]
+mod tests {
+    use rta_core::vector::{UnitVec3, Vec3};
+
+    use super::super::beam::Beam;
+    use super::odd_part;
+
+    /// The part of a cone's rays that meet odd tiles.
+    fn found(beam: &Beam) -> f64 {
+        let (mut all, mut odd) = (0.0, 0.0);
+        for i in 0..400 {
+            for k in 0..400 {
+                let place = [i, k].map(|cell: i32| f64::from(2 * cell + 1) / 400.0 - 1.0);
+                if place[0].hypot(place[1]) <= 1.0 {
+                    let ray = beam.ray(place);
+                    let t = -ray.origin.z / ray.direction.z;
+                    let tile = |origin: f64, way: f64| (origin + way * t).floor();
+                    let sum = tile(ray.origin.x, ray.direction.x) + tile(ray.origin.y, ray.direction.y);
+                    all += 1.0;
+                    odd += sum.rem_euclid(2.0);
+                }
+            }
+        }
+        odd / all
+    }
+
+    #[test]
+    fn tiles_are_counted_by_their_areas() {
+        for (fall, angle) in [(1.2f64, 0.1), (0.7, 0.2), (0.4, 0.05), (0.3, 0.1)] {
+            for x in [0.0, 0.3, 0.7, 1.2] {
+                let axis = UnitVec3::<f64>::new(0.0, fall.cos(), -fall.sin());
+                let beam = Beam::new(Vec3::<f64>::new(x, 0.2, 2.0), axis, 0.0, angle);
+                let (own, exact) = (odd_part(&beam, 1.0), found(&beam));
+                assert!((own - exact).abs() < 4e-3, "{fall} {x}: {own}, {exact}");
+            }
+        }
+        // One tile alone, and the horizon.
+        let down = |x| Beam::new(Vec3::<f64>::new(x, 0.5, 2.0), -UnitVec3::<f64>::Z, 0.0, 0.01);
+        assert_eq!(odd_part(&down(1.5), 1.0), 1.0);
+        assert_eq!(odd_part(&down(0.5), 1.0), 0.0);
+        let level = Beam::new(Vec3::<f64>::new(0.5, 0.5, 2.0), UnitVec3::<f64>::Y, 0.0, 0.01);
+        assert_eq!(odd_part(&level, 1.0), 0.5);
+    }
+}

@@ -18,7 +18,8 @@ use rta_scenes::shading::AnyModel;
 use super::beam::{Beam, Bend};
 use super::curvature::curvature;
 use super::gloss::{self, Lobe};
-use super::hits::{Left, Met, Search};
+use super::hits::{Left, Search};
+use super::order::Met;
 use super::tiles::odd_part;
 
 /// The tracer that shades what cones meet.
