@@ -12,7 +12,6 @@ use rta_packets::tally::Rays;
 use rta_scenes::Reading;
 use rta_scenes::sampler::{Integrator, Lamps, Sampler, Spreading};
 
-use crate::engine::passes::Ended;
 use crate::engine::{Engine, EngineError, Format, Settings, bands};
 use crate::picture::error::PictureError;
 use crate::picture::raster::Size;
@@ -20,7 +19,7 @@ use crate::request::error::RequestError;
 use crate::request::scene_file::SceneFile;
 use crate::study::error::StudyError;
 use crate::study::report::measure::Difference;
-use pictures::PICTURES;
+use pictures::{PICTURES, Picture};
 use pixels::CASES;
 
 pub mod page;
@@ -138,24 +137,26 @@ pub fn pixel(text: &str) -> Result<Pixel, StudyError> {
 pub fn study(stop: &AtomicBool) -> Result<Study, StudyError> {
     let pool = bands::pool(None)?;
     let pixels = CASES.iter().map(|case| pixel(&case.text())).collect::<Result<_, _>>()?;
-    let pictures = PICTURES.iter().map(|picture| ways(picture, &pool, stop)).collect::<Result<_, _>>()?;
-    Ok(Study { pixels, pictures })
+    let ways = |picture| ways(picture, (picture.size, REFERENCE), &pool, stop);
+    Ok(Study { pixels, pictures: PICTURES.iter().map(ways).collect::<Result<_, _>>()? })
 }
 
-/// Returns a scene in all ways.
-fn ways(
-    picture: &'static pictures::Picture,
+/// Returns a scene in all ways, in so many columns and rows, beside a picture of so many samples.
+///
+/// # Errors
+/// Those of [`study`].
+pub fn ways(
+    picture: &Picture,
+    ([width, height], reference): ([u32; 2], u32),
     pool: &ThreadPool,
     stop: &AtomicBool,
 ) -> Result<Ways, StudyError> {
-    let size = Size::clamped(picture.size[0], picture.size[1]);
+    let size = Size::clamped(width, height);
     let made = |sampling| engine(picture.title, picture.text, (size, sampling));
-    let reference = made(rays(REFERENCE))?;
-    let mut passes = reference.passes().ok_or(PictureError::Memory(size))?;
-    while passes.samples() < REFERENCE {
-        passes
-            .pass(REFERENCE, pool, stop, None, &|_| {})
-            .map_err(|ended: Ended| bands::BandsError::from(ended))?;
+    let right = made(rays(reference))?;
+    let mut passes = right.passes().ok_or(PictureError::Memory(size))?;
+    while passes.samples() < reference {
+        passes.pass(reference, pool, stop, None, &|_| {}).map_err(bands::BandsError::from)?;
     }
     let mut right = vec![Rgb::default(); pixels(size)];
     passes.linear_rows(0, &mut right);

@@ -27,17 +27,17 @@ fn hash(folder: &Folder, args: &[&str]) -> String {
 fn one_cone_a_pixel_is_traced_in_f64() {
     let folder = Folder::new();
     folder.scene("balls.rta", BALLS);
-    let natural = hash(&folder, &[]);
+    let natural = hash(&folder, &["--format", "f64"]);
     assert!(natural.contains("format f64") && natural.contains(", cones"), "{natural}");
-    assert_eq!(natural, hash(&folder, &["--format", "f64"]));
-    assert_eq!(natural, hash(&folder, &["--threads", "3"]));
+    assert_eq!(natural, hash(&folder, &["--format", "f32"]));
+    assert_eq!(natural, hash(&folder, &["--format", "f64", "--threads", "3"]));
     let rays = folder.prints(&["hash", "balls.rta", "--size", "24x18", "--format", "f64"]);
     assert_ne!(natural[..16], rays[..16]);
     folder.renders(&["balls.rta", "-o", "out.png", "--integrator", "cones", "--size", "40x30"]);
     assert!(!fs::read(folder.path("out.png")).unwrap().is_empty());
     // The thesis's own scenes have ellipsoids and cylinders.
     folder.scene("scene.dat", SCENE);
-    let told = folder.prints(&[&["hash", "scene.dat"], &CONES[..]].concat());
+    let told = folder.prints(&[&["hash", "scene.dat", "--format", "f64"], &CONES[..]].concat());
     assert!(told.contains(", cones"), "{told}");
 }
 
@@ -58,7 +58,9 @@ fn what_cones_do_not_know_is_refused() {
     let refuses = |command: &[&str], options: &[&str], words: &[&str]| {
         folder.refuses(&[command, &["--integrator", "cones"], options].concat(), words);
     };
-    let hash = |scene, options: &[&str], words: &[&str]| refuses(&["hash", scene], options, words);
+    let hash = |scene, options: &[&str], words: &[&str]| {
+        refuses(&["hash", scene, "--format", "f64"], options, words);
+    };
     hash("moves.rta", &[], &["cones", "move"]);
     hash("square.rta", &[], &["cones", "parallelograms"]);
     hash("bright.rta", &[], &["cones", "quads that emit"]);

@@ -6,8 +6,8 @@ use rta_core::surface::Surface;
 use rta_core::trace::decision::refract;
 use rta_core::vector::{UnitVec3, Vec3};
 
-/// Facets along each side of a square of numbers by which they are chosen, as samples choose them.
-const SIDE: u32 = 8;
+/// Facets that are asked, chosen by pairs of numbers as those of samples are.
+const FACETS: u32 = 64;
 
 /// What a rough surface makes of a ray.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -40,11 +40,13 @@ fn lobe(
 ) -> Option<Lobe> {
     let facets = Facets { roughness };
     let view = -surface.incoming;
-    let middle = |cell: u32| (2 * cell + 1) * (u32::MAX / (2 * SIDE));
-    let mut ways = Vec::with_capacity((SIDE * SIDE) as usize);
+    let step = u32::MAX / (2 * FACETS);
+    let mut ways = Vec::with_capacity(FACETS as usize);
     let (mut sum, mut part) = (Vec3::<f64>::ZERO, 0.0);
-    for cell in 0..SIDE * SIDE {
-        let normal = facets.seen::<f64>(surface.normal, view, [middle(cell % SIDE), middle(cell / SIDE)]);
+    for number in 0..FACETS {
+        // One of them in each row and in each column (J. Hammersley 1960).
+        let pair = [number.reverse_bits(), (2 * number + 1) * step];
+        let normal = facets.seen::<f64>(surface.normal, view, pair);
         let Some(direction) = bent(&Surface { normal, ..*surface }) else { continue };
         let cosine = side * surface.normal.dot(direction);
         if cosine <= 0.0 {
@@ -69,7 +71,7 @@ fn lobe(
         (within >= part / 2.0).then_some(*angle)
     });
     let width = core::f64::consts::SQRT_2 * median.unwrap_or(0.0);
-    Some(Lobe { axis, width, part: part / f64::from(SIDE * SIDE) })
+    Some(Lobe { axis, width, part: part / f64::from(FACETS) })
 }
 
 #[cfg(test)]

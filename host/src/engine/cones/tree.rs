@@ -238,9 +238,9 @@ impl Cones<'_> {
             let gloss = lobe.flatten().filter(|_| eta != Some(1.0)).map_or(0.0, |lobe| lobe.width);
             let bend = self.bend(met.object, surface, (eta, start.direction, gloss));
             let beam = parent.beam.after(met.along, bend, start.origin, start.direction);
-            // What is convex is not met again from outside.
+            // What is convex is not met again from outside, and what is flat from neither side.
             let is_outside = (branch.kind == RayKind::Reflected) != surface.inside;
-            let is_flat = bend.curvature.is_infinite();
+            let is_flat = matches!(met.object, Object::Floor | Object::Plane(_) | Object::Triangle(_));
             let left = (is_outside || is_flat).then_some(Left { object: met.object, is_outside });
             pending.push(Pending { beam, branch, part: parent.part, left });
         }

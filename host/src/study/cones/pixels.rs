@@ -61,7 +61,10 @@ pub const CASES: &[Case] = &[
         "nine small balls in a row",
         "sphere at -.8 50 0  radius .1  color black\nsphere at -.6 51 0  radius .1  color black\nsphere at -.4 52 0  radius .1  color black\nsphere at -.2 53 0  radius .1  color black\nsphere at 0 54 0  radius .1  color black\nsphere at .2 55 0  radius .1  color black\nsphere at .4 56 0  radius .1  color black\nsphere at .6 57 0  radius .1  color black\nsphere at .8 58 0  radius .1  color black\n",
     ),
-    seen("the floor, of which tiles are small", "floor black white  tile .1\n"),
+    whole(
+        "the floor, of which tiles are small",
+        "model flat\ncamera at 0 0 1  look 0 1 -.2  lens 20\nsky white\nambient white\nfloor black white  tile .1\n",
+    ),
     whole(
         "a texture of small cubes",
         "model flat\ncamera at 0 0 0  look 0 1 0  lens 20\nsky white\nambient white\ntexture cubes checker black white  scale .3\nmaterial tiled like matte  texture cubes\npolygon -9 50 -9  9 50 -9  9 50 9  -9 50 9  of tiled\n",
@@ -72,7 +75,7 @@ pub const CASES: &[Case] = &[
     ),
     whole(
         "the middle of a penumbra",
-        "model lambert\ncamera at 0 0 5  look 0 0 -1  lens 20\nsky black\nambient black\nfloor white white\nlamp at 0 0 10  radius .5  power 50  square\npolygon -90 -90 4  0 -90 4  0 90 4  -90 90 4  color white\n",
+        "model lambert\ncamera at 0 0 3.5  look 0 0 -1  lens 20\nsky black\nambient black\nfloor white white\nlamp at 0 0 10  radius .5  power 50  square\npolygon -90 -90 4  0 -90 4  0 90 4  -90 90 4  color white\n",
     ),
     whole(
         "the penumbra of two balls behind each other",

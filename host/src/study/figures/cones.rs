@@ -20,7 +20,7 @@ use crate::study::palette::traced::Traced;
 use crate::study::sheet::{beside, cell, displayed, stacked};
 
 /// Samples of the pictures that are right.
-const SAMPLES: u32 = 256;
+const SAMPLES: u32 = 64;
 
 /// How much larger differences are shown.
 const GAIN: i32 = 4;
@@ -33,7 +33,7 @@ pub(super) fn sheet(tracing: &Tracing) -> Result<Displayed, StudyError> {
 
 /// Returns one scene by a cone, a ray and many rays a pixel, and the difference.
 fn row(picture: &Picture, tracing: &Tracing) -> Result<Frame, StudyError> {
-    let [width, height] = picture.size.map(|side| 2 * side);
+    let [width, height] = picture.size;
     let size = Size::clamped(width, height);
     let scene = SceneFile::of_text(picture.title, picture.text, Reading::default())?;
     let plain = Request::of_scene(&TracingArgs::default(), Target::None, &scene)?;
@@ -48,7 +48,7 @@ fn row(picture: &Picture, tracing: &Tracing) -> Result<Frame, StudyError> {
     Ok(beside(&[
         shown(&cones, "one cone"),
         shown(&ray, "one ray"),
-        shown(&many, "256 rays"),
+        shown(&many, "64 rays"),
         shown(&difference, "difference x 4"),
     ]))
 }

@@ -99,7 +99,7 @@ pub const ALL: &[Figure] = &[
         name: "cones",
         place: "Section 3.6",
         title: "One cone over each pixel",
-        caption: "From the left: one cone, one ray, 256 rays, and four times the difference of the first from the third, about grey. Edges are \
+        caption: "From the left: one cone, one ray, 64 rays, and four times the difference of the first from the third, about grey. Edges are \
                   smooth, also in mirrors. Wrong are places where things meet or are before each other, shadows of lamps without a radius, \
                   the rims of curved mirrors and glass, and what rough surfaces show.",
         formula: "Δα = 2 ρ / K of what a mirror of the radius K reflects; part = lens(ρ, R, q) / π ρ² of a ball; the product of what things leave",
