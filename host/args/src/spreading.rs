@@ -32,7 +32,7 @@ pub struct SpreadingArgs {
     /// Paths (Kajiya 1986) are right in the mean, with noise that halves where --samples are four times as many. They take the place of
     /// ambient light, ask lamps at any of their places, and show no highlights but those of rough mirrors. --depth is the most bounces of a
     /// path [64 if nothing is said]. For a display light is cut to white sample by sample, which darkens what is brighter in part; in a PFM
-    /// or HDR nothing is cut. Cones (Amanatides 1984) are a study in f64 whatever the format, but not in fixed point: edges are smooth without
+    /// or HDR nothing is cut. Cones (Amanatides 1984) are a study in f64, also with --format f32, and not in fixed point: edges are smooth without
     /// samples, and what things before each other hide is a guess.
     #[arg(long, value_enum, ignore_case = true, default_value_t = IntegratorKind::Whitted)]
     pub integrator: IntegratorKind,

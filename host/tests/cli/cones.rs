@@ -66,10 +66,9 @@ fn what_cones_do_not_know_is_refused() {
     hash("bright.rta", &[], &["cones", "quads that emit"]);
     hash("prism.rta", &[], &["cones", "wavelengths", "--spectral 0"]);
     hash("lens.rta", &[], &["cones", "lens", "--aperture 0"]);
-    assert!(
-        folder.prints(&["hash", "lens.rta", "--integrator", "cones", "--aperture", "0"]).contains("cones")
-    );
-    hash("balls.rta", &["--format", "q16"], &["cones", "f64", "q16"]);
+    let pinhole = ["hash", "lens.rta", "--integrator", "cones", "--aperture", "0", "--format", "f32"];
+    assert!(folder.prints(&pinhole).contains(", cones"));
+    refuses(&["hash", "balls.rta", "--format", "q16"], &[], &["cones", "f64", "q16"]);
     for option in [
         &["--samples", "4"][..],
         &["--jitter", "4"],

@@ -1,4 +1,5 @@
 //! Parts of cones against exact values and against many rays, and what mirrors and lenses make of cones against the rays that they are made of.
+#![allow(clippy::indexing_slicing, reason = "a test may panic")]
 
 use core::f64::consts::PI;
 
