@@ -190,6 +190,17 @@ fn two_things_count_as_if_by_chance() {
 }
 
 #[test]
+fn a_wall_stands_on_the_floor_within_a_pixel() {
+    // The axis meets the floor before the wall; where rays meet both, the wall is before the floor.
+    let [cone, rays] = one_pixel(
+        "model flat\ncamera at 0 0 1  look 0 20 -1.1  lens 20\nsky white\nambient white\nfloor white white\n\
+         polygon -9 20 0  9 20 0  9 20 9  -9 20 9  color black\n",
+    );
+    assert!((rays - 0.6).abs() < 0.01, "{rays}");
+    assert!((cone - rays).abs() < 0.02, "{cone} {rays}");
+}
+
+#[test]
 fn what_cones_do_not_know_is_refused() {
     let refused = |things: &str| {
         let scene = scene(&format!("{PIXEL}{things}"));
