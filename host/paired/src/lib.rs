@@ -150,6 +150,3 @@ impl<T: Value + PartialOrd> PartialOrd for Paired<T> {
     compare!(gt, ">");
     compare!(ge, ">=");
 }
-
-#[cfg(test)]
-mod tests;

@@ -89,7 +89,7 @@ pub fn record<R>(body: impl FnOnce() -> R) -> (R, Log) {
 }
 
 /// Runs `body` without recording it.
-pub(super) fn pause<R>(body: impl FnOnce() -> R) -> R {
+pub fn pause<R>(body: impl FnOnce() -> R) -> R {
     let log = LOG.take();
     let result = body();
     LOG.set(log);

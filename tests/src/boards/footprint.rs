@@ -42,6 +42,7 @@ a figure drifts by more than 5 %.
   palette stands; the palette itself is 840 bytes); `dithered`, that with error diffusion (4 bytes for each of the 160 columns); all other rows
   are drawn in the uniform table, which lies in flash. On `lm3s6965evb-oled` there is no table: 128 x 64 pixels of 16 greys, with error
   diffusion in one gun (2 bytes for each of the 128 columns, on the stack).
+- Needs `Z-buffer`: the baked scene, whose rays from the eye are found by a Z-buffer of one row.
 - Before: instructions before the first row, where the palette is made: 1000 rays, and the cuts.
 - Instructions: retired a pixel, with all that is done from there to the last of the picture. They are instructions, not
   cycles: the emulator models no pipeline and no wait states of a flash memory.

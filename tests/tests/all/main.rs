@@ -48,5 +48,6 @@ mod spread;
 mod stability;
 mod stack;
 mod thin;
+mod twins;
 mod values;
 mod zbuffer;

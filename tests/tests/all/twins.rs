@@ -1,6 +1,10 @@
+//! Numbers beside their twins in `f64`, and the branches of pixels: the tests of `rta-paired`. They stand here because its tracers, of all
+//! models in all formats, are compiled with the program anyway.
+
 use core::fmt::Write;
 
 use rta_core::Q16;
+use rta_core::raster::Raster;
 use rta_core::ray::RayKind;
 use rta_core::scalar::{Scalar, Unit};
 use rta_core::scene::Object;
@@ -8,15 +12,13 @@ use rta_core::vector::{LengthVector, UnitVec3, UnitVector, Vec3, Vector};
 use rta_scenes::narrow::Narrow;
 use rta_scenes::{dat, shipped};
 
-use rta_core::raster::Raster;
 use rta_packets::picture::Setup;
+use rta_paired::ray_tree::{HitKind, Visibility};
+use rta_paired::trail::{self, Pixel, Window, lock_step};
+use rta_paired::{Paired, log};
 use rta_scenes::description::Description;
 use rta_scenes::sampler::Sampler;
 use rta_scenes::{Format, Model, in_format};
-
-use super::ray_tree::{HitKind, Visibility};
-use super::trail::{self, Pixel, Window, lock_step};
-use super::{Paired, log};
 
 type P = Paired<Q16>;
 
@@ -40,7 +42,7 @@ fn both_twins_go_their_own_way() {
     assert!((nine.error() - 2.0 / 3.0).abs() < 1e-3);
     let names: Vec<_> = log.operations.iter().map(|o| o.name).collect();
     assert_eq!(names, ["+", "-"]);
-    assert!(log.operations.iter().all(|o| o.place.file().ends_with("tests.rs")));
+    assert!(log.operations.iter().all(|o| o.place.file().ends_with("twins.rs")));
     assert!(log.operations.iter().all(|o| o.growth() == 0.0), "less than one LSB is no loss");
 }
 
