@@ -307,7 +307,7 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Acceler
     /// Returns the part of a lamp's light that arrives at a surface, 0 to 1. `light` is what the surface would send back of it;
     /// where [`casts_shadow_ray`] needs no shadow ray for it, the result is 1.
     #[cfg_attr(not(target_os = "none"), inline(always))]
-    fn unshadowed<O: Observer<S> + ?Sized>(
+    pub fn unshadowed<O: Observer<S> + ?Sized>(
         &self,
         surface: &Surface<S>,
         incident: &Incident<S>,

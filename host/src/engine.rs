@@ -2,7 +2,7 @@
 //! runs.
 //!
 //! Everything about it that does not draw is beside it: [`admission`] proves that a scene fits a format, [`bands`] shares rows
-//! among threads, [`radiosity`] solves for the light of diffuse surfaces, [`passes`] adds samples to a picture and [`callgrind`] counts instructions.
+//! among threads, [`cones`] draws pictures by cones instead of rays, [`radiosity`] solves for the light of diffuse surfaces, [`passes`] adds samples to a picture and [`callgrind`] counts instructions.
 
 use core::sync::atomic::AtomicBool;
 
@@ -19,11 +19,13 @@ use rta_scenes::sampler::Sampler;
 
 use crate::picture::raster::Size;
 use bands::BandsError;
+use cones::Coned;
 use probe::Probe;
 
 pub mod admission;
 pub mod bands;
 pub mod callgrind;
+pub mod cones;
 pub mod interrupt;
 pub mod passes;
 pub mod probe;
@@ -175,6 +177,11 @@ impl Engine {
     /// # Errors
     /// Whatever keeps it from being drawn with these settings; once there is an engine, nothing does.
     pub fn new(scene: &Description, settings: &Settings) -> Result<Self, EngineError> {
+        if settings.sampling == Sampler::Cones {
+            let picture = Coned::new(scene, settings.model, settings.setup()?)?;
+            let rows = Box::new(Box::new(picture) as Box<dyn Picture<f64>>);
+            return Ok(Self { settings: settings.clone(), rows });
+        }
         let rows: Box<dyn Rows> = in_format!(settings.format, S => Box::new(
             <S as picture::Format>::picture(scene, settings.model, &settings.setup()?)?
         ));

@@ -26,7 +26,7 @@ use crate::picture::file::Caption;
 use crate::picture::raster::{Aspect, Size};
 use error::RequestError;
 use fit::Fit;
-use sampler::{SPREAD, Told, is_of_paths, passes, put_lens, sampler, settling, with_paths};
+use sampler::{SPREAD, Told, cones_format, is_of_paths, passes, put_lens, sampler, settling, with_paths};
 use scene_file::SceneFile;
 
 /// Depth of the rays where neither the command line nor the scene says it.
@@ -118,11 +118,15 @@ impl Request {
         if light.is_some() && is_of_paths(&sampling) {
             return Err(RequestError::Solved);
         }
+        if light.is_some() && sampling == Sampler::Cones {
+            return Err(RequestError::OfCones("--light"));
+        }
         if light.is_some() && sampling.spreading().is_none() {
             // Tracers of rays that are not spread know no solved light: the picture would be dark.
             return Err(RequestError::OfSobol("--light"));
         }
-        Ok(Self { depth, cutoff, sampling, light, ..request })
+        let format = if sampling == Sampler::Cones { cones_format(request.format)? } else { request.format };
+        Ok(Self { depth, cutoff, sampling, light, format, ..request })
     }
 
     /// Returns the request of a picture that is traced in passes up to an end, if there is `until`; `asked` and `scene` are those of

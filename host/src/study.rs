@@ -3,6 +3,7 @@
 
 pub mod bench;
 pub mod compare;
+pub mod cones;
 pub mod difference;
 pub mod error;
 pub mod figures;

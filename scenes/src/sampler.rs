@@ -19,6 +19,8 @@ pub enum Sampler {
     Sobol(Spreading),
     /// More of them where the light of neighbours differs.
     Adaptive(Adaptive),
+    /// None: one cone over each pixel (J. Amanatides 1984), in a program that has such pictures.
+    Cones,
 }
 
 /// A way of adaptive antialiasing.
@@ -105,7 +107,7 @@ impl Sampler {
     pub const fn is_jittered(&self) -> bool {
         match self {
             Self::Grid(sampling) => sampling.is_jittered(),
-            Self::Sobol(_) | Self::Adaptive(_) => false,
+            Self::Sobol(_) | Self::Adaptive(_) | Self::Cones => false,
         }
     }
 
@@ -113,7 +115,7 @@ impl Sampler {
     #[must_use]
     pub const fn spreading(&self) -> Option<&Spreading> {
         match self {
-            Self::Grid(_) | Self::Adaptive(_) => None,
+            Self::Grid(_) | Self::Adaptive(_) | Self::Cones => None,
             Self::Sobol(spreading) => Some(spreading),
         }
     }
@@ -125,7 +127,8 @@ impl From<Sampling> for Sampler {
     }
 }
 
-/// With adaptive antialiasing pixels have one sample in the middle here: how many rays they take is seen only when they are traced.
+/// With adaptive antialiasing pixels have one sample in the middle here, as with cones: how many rays they take is seen only when they are
+/// traced.
 impl Places for Sampler {
     /// The number of the row.
     type Row<U: Unit> = u32;
@@ -134,7 +137,7 @@ impl Places for Sampler {
         match self {
             Self::Grid(sampling) => sampling.samples(),
             Self::Sobol(spreading) => spreading.samples.samples(),
-            Self::Adaptive(_) => Sampling::CENTER.samples(),
+            Self::Adaptive(_) | Self::Cones => Sampling::CENTER.samples(),
         }
     }
 
@@ -146,7 +149,7 @@ impl Places for Sampler {
         match self {
             Self::Grid(sampling) => sampling.place(raster, row, x, sample),
             Self::Sobol(spreading) => spreading.samples.place(raster, row, x, sample),
-            Self::Adaptive(_) => Sampling::CENTER.place(raster, row, x, sample),
+            Self::Adaptive(_) | Self::Cones => Sampling::CENTER.place(raster, row, x, sample),
         }
     }
 
@@ -154,7 +157,7 @@ impl Places for Sampler {
         match self {
             Self::Grid(sampling) => sampling.add(sum, light),
             Self::Sobol(spreading) => spreading.samples.add(sum, light),
-            Self::Adaptive(_) => Sampling::CENTER.add(sum, light),
+            Self::Adaptive(_) | Self::Cones => Sampling::CENTER.add(sum, light),
         }
     }
 
@@ -162,7 +165,7 @@ impl Places for Sampler {
         match self {
             Self::Grid(sampling) => sampling.mean(sum),
             Self::Sobol(spreading) => spreading.samples.mean(sum),
-            Self::Adaptive(_) => Sampling::CENTER.mean(sum),
+            Self::Adaptive(_) | Self::Cones => Sampling::CENTER.mean(sum),
         }
     }
 }

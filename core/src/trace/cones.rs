@@ -22,9 +22,10 @@ use crate::world::World;
 impl<S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Accelerator<S>>
     Tracer<'_, S, M, N, STACK, A>
 {
-    /// Returns the radiance that a surface, a point of `object`, sends back of lamp number `number`: that of a point in the lamp's middle, times
-    /// the part of the lamp that is not hidden. A point within the lamp is lit as one on it.
-    pub(super) fn cone_light<O: Observer<S> + ?Sized>(
+    /// Returns the radiance that a surface, a point of `object`, sends back of lamp number `number`, which is a sphere of a radius above 0: that
+    /// of a point in the lamp's middle, times the part of the lamp that is not hidden. A point within the lamp is lit as one on it. `bodies` is
+    /// [`Spread::bodies`](super::dice::Spread::bodies).
+    pub fn cone_light<O: Observer<S> + ?Sized>(
         &self,
         (surface, object): (&Surface<S>, Option<Object>),
         (number, lamp): (usize, &Lamp<S>),

@@ -27,12 +27,13 @@ pub struct SpreadingArgs {
     /// differs, whitted:K up to K times; mitchell has one ray a pixel, and nine where the contrast around it is high.
     #[arg(long, value_name = "WAY", conflicts_with_all = ["samples", "jitter", "sampler", "seed", "lamps", "split", "aperture", "integrator"])]
     pub aa: Option<AdaptiveValue>,
-    /// How the light of a sample is found: by Whitted's ray tree, or by one path of light, with all that surfaces send each other
+    /// How light is found: by Whitted's ray tree, by one path of light a sample, or by one cone over each pixel
     ///
     /// Paths (Kajiya 1986) are right in the mean, with noise that halves where --samples are four times as many. They take the place of
     /// ambient light, ask lamps at any of their places, and show no highlights but those of rough mirrors. --depth is the most bounces of a
     /// path [64 if nothing is said]. For a display light is cut to white sample by sample, which darkens what is brighter in part; in a PFM
-    /// or HDR nothing is cut.
+    /// or HDR nothing is cut. Cones (Amanatides 1984) are a study in f64, also with --format f32, and not in fixed point: edges are smooth without
+    /// samples, and what things before each other hide is a guess.
     #[arg(long, value_enum, ignore_case = true, default_value_t = IntegratorKind::Whitted)]
     pub integrator: IntegratorKind,
     /// What spreads rays
@@ -71,6 +72,8 @@ pub enum IntegratorKind {
     Whitted,
     /// By one path of light for each sample (Kajiya 1986)
     Paths,
+    /// By one cone over each pixel instead of rays (Amanatides 1984): a study, in f64
+    Cones,
 }
 
 /// Where the samples of a pixel lie.

@@ -163,6 +163,9 @@ macro_rules! formats {
                 model: Model,
                 setup: &Setup,
             ) -> Result<Box<dyn Picture<Self>>, PictureError> {
+                if setup.sampling == Sampler::Cones {
+                    return Err(PictureError::Cones("pictures of rays"));
+                }
                 let drawn = scene.drawn_by(model);
                 let scene = &*drawn;
                 if let Sampler::Adaptive(adaptive) = setup.sampling {

@@ -131,6 +131,12 @@ pub enum RequestError {
     /// A grid of samples for a picture that is traced in passes.
     #[error("{_0} adds samples to those that are there, and a --sampler grid has all of its samples at once")]
     Passes(&'static str),
+    /// An option about samples, for a picture that has none.
+    #[error("{_0} is about samples, and --integrator cones has one cone over each pixel instead")]
+    OfCones(&'static str),
+    /// Cones in fixed point.
+    #[error("--integrator cones is a study in f64, and {_0} is fixed point")]
+    FixedCones(Format),
     /// Paths in a scene whose light was solved ahead.
     #[error("--integrator paths finds all light itself, and --light has it solved ahead")]
     Solved,

@@ -84,7 +84,9 @@ impl Fit {
     pub fn engine_error(&self, scene: &SceneFile, source: EngineError) -> RequestError {
         match source {
             EngineError::Narrow(error) => self.refused(scene, error.into()),
-            EngineError::Radiosity(_) | EngineError::Core(Error::Depth { .. } | Error::Raster { .. }) => {
+            EngineError::Cones(_)
+            | EngineError::Radiosity(_)
+            | EngineError::Core(Error::Depth { .. } | Error::Raster { .. }) => {
                 RequestError::Engine { name: scene.source.clone(), source }
             }
             EngineError::Core(error) => {

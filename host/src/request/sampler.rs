@@ -5,6 +5,7 @@ use core::fmt;
 use rta_args::spreading::{IntegratorKind, SamplerKind, SpreadingArgs};
 use rta_args::value::sampling::{AdaptiveValue, LampsValue, Samples};
 use rta_core::sampling::{Places, Sobol};
+use rta_scenes::Format;
 use rta_scenes::description::Description;
 use rta_scenes::sampler::{
     Integrator, Lamps, Sampler, Spreading, is_spectral, lamps as natural_lamps, spreads,
@@ -26,7 +27,7 @@ const SETTLED: u32 = 64;
 ///
 /// # Errors
 /// [`RequestError::Samples`] for a number that fills no grid, [`RequestError::OfGrid`] and [`RequestError::OfSobol`] for an option of the
-/// other sampler, [`RequestError::Spectral`] for one that spreads the rays of several wavelengths, [`RequestError::Moving`] for paths in a scene in which
+/// other sampler, [`RequestError::OfCones`] for one of samples where there are cones, [`RequestError::Spectral`] for one that spreads the rays of several wavelengths, [`RequestError::Moving`] for paths in a scene in which
 /// something moves.
 pub fn sampler(
     asked: &SpreadingArgs,
@@ -37,6 +38,18 @@ pub fn sampler(
         return Ok(Sampler::Adaptive(adaptive));
     }
     let spread = &asked.spread;
+    if asked.integrator == IntegratorKind::Cones {
+        let others = [
+            (asked.samples.is_some(), "--samples"),
+            (asked.jitter.is_some(), "--jitter"),
+            (asked.sampler.is_some(), "--sampler"),
+            (spread.seed.is_some(), "--seed"),
+            (spread.lamps.is_some(), "--lamps"),
+            (spread.split.is_some(), "--split"),
+        ];
+        let other = others.into_iter().find_map(|(is_asked, option)| is_asked.then_some(option));
+        return other.map_or(Ok(Sampler::Cones), |option| Err(RequestError::OfCones(option)));
+    }
     let lamps = spread.lamps.map_or(Lamps::Point, |LampsValue(lamps)| lamps);
     let is_of_paths = asked.integrator == IntegratorKind::Paths;
     if is_of_paths && scene.is_some_and(Description::has_motion) {
@@ -79,7 +92,7 @@ pub fn sampler(
                 _ => lamps,
             };
             let integrator = match asked.integrator {
-                IntegratorKind::Whitted => Integrator::Whitted,
+                IntegratorKind::Whitted | IntegratorKind::Cones => Integrator::Whitted,
                 IntegratorKind::Paths => Integrator::Paths { bounces: BOUNCES, is_cut: true },
             };
             Ok(Sampler::Sobol(Spreading { samples, lamps, split: spread.split.unwrap_or(1), integrator }))
@@ -91,12 +104,15 @@ pub fn sampler(
 /// grid.
 ///
 /// # Errors
-/// [`RequestError::Passes`] for a grid that is asked for, [`RequestError::Spectral`] for a picture of several wavelengths.
+/// [`RequestError::Passes`] for a grid that is asked for, [`RequestError::OfCones`] for a picture by cones, [`RequestError::Spectral`] for a picture of several wavelengths.
 pub fn passes(
     sampler: Sampler,
     (asked, option): (&SpreadingArgs, &'static str),
     scene: &Description,
 ) -> Result<Sampler, RequestError> {
+    if sampler == Sampler::Cones {
+        return Err(RequestError::OfCones(option));
+    }
     if asked.sampler == Some(SamplerKind::Grid) {
         return Err(RequestError::Passes(option));
     }
@@ -143,6 +159,17 @@ pub fn with_paths(sampler: Sampler, most: Option<u32>, is_linear: bool) -> Sampl
     }
 }
 
+/// Returns the number format of a picture by cones for which `asked` is asked: they are in `f64`, whichever float that is.
+///
+/// # Errors
+/// [`RequestError::FixedCones`] for fixed point.
+pub const fn cones_format(asked: Format) -> Result<Format, RequestError> {
+    match asked {
+        Format::F32 | Format::F64 => Ok(Format::F64),
+        Format::Q16 | Format::Q20 => Err(RequestError::FixedCones(asked)),
+    }
+}
+
 /// Returns whether samples are paths.
 #[must_use]
 pub fn is_of_paths(sampler: &Sampler) -> bool {
@@ -171,6 +198,7 @@ impl fmt::Display for Told<'_> {
                 write!(f, ", {} {kind} samples a pixel", grid.samples())
             }
             Sampler::Adaptive(adaptive) => write!(f, ", antialiasing {}", AdaptiveValue(*adaptive)),
+            Sampler::Cones => f.write_str(", cones"),
             Sampler::Sobol(Spreading { samples, lamps, split, integrator }) => {
                 write!(f, ", {} sobol samples a pixel, seed {}", samples.samples(), samples.seed())?;
                 if let Integrator::Paths { bounces, .. } = integrator {

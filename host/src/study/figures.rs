@@ -25,6 +25,7 @@ use crate::study::error::StudyError;
 use crate::study::plot;
 
 pub mod chart;
+mod cones;
 mod curves;
 pub mod keywords;
 pub mod list;

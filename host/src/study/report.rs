@@ -11,6 +11,7 @@
 //! | errors and costs of every setting of a scene | [`mod@study`] |
 //! | rays that are spread: samplers, lamps, antialiasing, splitting | [`mod@spreading`] |
 //! | light that goes round: ambient light, radiosity, two passes, distributed rays, paths | [`mod@light`] |
+//! | what one cone over each pixel gets wrong | [`crate::study::cones`] |
 //! | the files | [`table`], [`diagram`], [`page`] |
 
 use core::iter;
@@ -26,6 +27,7 @@ use crate::picture::error::PictureError;
 use crate::picture::file::Caption;
 use crate::picture::output::{self, Failure, Inputs, Output};
 use crate::request::scene_file::SceneFile;
+use crate::study::cones;
 use crate::study::error::StudyError;
 use crate::study::plot;
 
@@ -90,7 +92,9 @@ pub fn run(args: &ReportArgs) -> Result<(), StudyError> {
         studied
     });
     let spread = spread.collect::<Result<Vec<_>, _>>()?;
-    files.write(&studied, &spread, setup)
+    // Its scenes are its own.
+    let cones = args.scenes.is_empty().then(|| cones::study(setup.stop)).transpose()?;
+    files.write(&studied, &spread, cones.as_ref(), setup)
 }
 
 impl Source {
@@ -171,7 +175,13 @@ impl Files {
         Ok(Self { csv, spreading, diagrams, page: open("report.md")? })
     }
 
-    fn write(self, studies: &[Study], spread: &[Spread], setup: Setup) -> Result<(), StudyError> {
+    fn write(
+        self,
+        studies: &[Study],
+        spread: &[Spread],
+        cones: Option<&cones::Study>,
+        setup: Setup,
+    ) -> Result<(), StudyError> {
         self.csv.write(&table::csv(studies).map_err(StudyError::report)?)?;
         self.spreading.write(&spreading::page::csv(spread).map_err(StudyError::report)?)?;
         for (study, [svg, png]) in studies.iter().zip(self.diagrams) {
@@ -183,6 +193,9 @@ impl Files {
         }
         let mut page = page::markdown(studies, setup.size, setup.aspect);
         spreading::page::markdown(&mut page, spread);
+        if let Some(cones) = cones {
+            cones::page::markdown(&mut page, cones);
+        }
         Ok(self.page.write(page.as_bytes())?)
     }
 }

@@ -6,6 +6,7 @@
 use std::process::Output;
 
 mod bench;
+mod cones;
 mod figures;
 mod film;
 mod firmware;

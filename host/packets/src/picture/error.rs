@@ -14,6 +14,8 @@ pub enum PictureError {
     Core(Error),
     /// The quads, for whose radiosity is to be solved.
     Radiosity(rta_core::radiosity::Error),
+    /// What is asked of a picture by cones, and they do not know.
+    Cones(&'static str),
 }
 
 impl fmt::Display for PictureError {
@@ -22,6 +24,7 @@ impl fmt::Display for PictureError {
             Self::Narrow(error) => error.fmt(f),
             Self::Core(error) => error.fmt(f),
             Self::Radiosity(error) => error.fmt(f),
+            Self::Cones(what) => write!(f, "--integrator cones does not know {what}"),
         }
     }
 }

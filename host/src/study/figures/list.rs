@@ -1,7 +1,7 @@
 //! The figures, in the order of the page. A new one is its entry here and the function that it names.
 
 use super::Content::{Curves, Picture};
-use super::{Figure, curves, meshes, pictures};
+use super::{Figure, cones, curves, meshes, pictures};
 
 /// All figures.
 pub const ALL: &[Figure] = &[
@@ -94,6 +94,17 @@ pub const ALL: &[Figure] = &[
         formula: "sin θ / sin θ' = n(λ), by Abbe's number; fifteen wavelengths, each with a weight of its own in the three registers",
         source: "Newton 1704; Wyman, Sloan and Shirley 2013.",
         content: Picture(pictures::prism),
+    },
+    Figure {
+        name: "cones",
+        place: "Section 3.6",
+        title: "One cone over each pixel",
+        caption: "From the left: one cone, one ray, 64 rays, and four times the difference of the first from the third, about grey. Edges are \
+                  smooth, also in mirrors. Wrong are places where things meet or are before each other, shadows of lamps without a radius, \
+                  the rims of curved mirrors and glass, and what rough surfaces show.",
+        formula: "Δα = 2 ρ / K of what a mirror of the radius K reflects; part = lens(ρ, R, q) / π ρ² of a ball; the product of what things leave",
+        source: "Amanatides 1984.",
+        content: Picture(cones::sheet),
     },
     Figure {
         name: "fresnel-glasses",

@@ -15,7 +15,7 @@ use rta_scenes::sampler::{self, Adaptive, Cutting, Integrator, Lamps, Sampler, S
 use super::Source;
 use super::measure::{Difference, median, slope};
 use super::study::Setup;
-use crate::engine::{Cutoff, Engine, Format, Settings, bands};
+use crate::engine::{Cutoff, Engine, Format, Settings, bands, cones};
 use crate::picture::error::PictureError;
 use crate::picture::raster::Size;
 use crate::study::error::StudyError;
@@ -136,6 +136,7 @@ fn ways(has_area_lamp: bool) -> Vec<Way> {
             .map(|cutting| Sampler::Adaptive(Adaptive::Whitted(cutting)));
         ways.push((["-", "point", name, "-"], cutting.map(|cutting| (1, cutting)).into_iter().collect()));
     }
+    ways.push((["-", "cone", "cones", "-"], vec![(1, Sampler::Cones)]));
     ways.push((["-", "point", "mitchell", "-"], vec![(1, Sampler::Adaptive(Adaptive::Mitchell))]));
     if has_area_lamp {
         ways.extend([
@@ -223,6 +224,10 @@ pub fn study(source: &Source, setup: Setup) -> Result<Spread, StudyError> {
         let mut rows = Vec::new();
         for (samples, sampling) in samplers {
             setup.go_on()?;
+            // Cones do not know all scenes.
+            if sampling == Sampler::Cones && !cones::knows(description) {
+                continue;
+            }
             let engine = scene.engine(sampling)?;
             let (light, seconds) = scene.traced(&engine);
             let more = if samples <= 16 { REPEATS - 1 } else { 0 };
@@ -233,6 +238,9 @@ pub fn study(source: &Source, setup: Setup) -> Result<Spread, StudyError> {
                 rays: engine.rays(),
                 seconds: median(times),
             });
+        }
+        if rows.is_empty() {
+            continue;
         }
         let points: Vec<_> = rows.iter().map(|row| (f64::from(row.samples), row.error.rmse)).collect();
         curves.push(Curve { way: way.map(String::from), slope: slope(&points), rows });
