@@ -12,7 +12,7 @@
 //! | [`raster::Pixels`] picks the pixel and the places of its samples | `raster.rs`, `raster/places.rs` |
 //! | [`camera::Camera`] makes the primary ray | `camera.rs` |
 //! | [`trace::Tracer`] takes the next pending ray, decides whether a lamp needs a shadow ray, pushes the secondary rays | `trace.rs`, `trace/decision.rs` |
-//! | the [`accelerator::Accelerator`] finds the nearest hit, and for a shadow ray the part of the lamp's light that arrives | `accelerator.rs`, `accelerator/*.rs` |
+//! | the [`accelerator::Accelerator`] finds the nearest hit (for rays from the eye a [`zbuffer::ZBuffer`] can do so), and for a shadow ray the part of the lamp's light that arrives | `accelerator.rs`, `accelerator/*.rs` |
 //! | [`scene::Scene`] enumerates its lists; each [`shape::Primitive`] computes where a ray meets it | `scene.rs`, `shape/*.rs` |
 //! | [`world::World`] turns the hit into what is seen: a [`surface::Surface`], the sky, a lamp | `world.rs`, `surface.rs` |
 //! | the [`illumination::Illumination`] model computes the light that the point sends back, and the weights of the secondary rays | `illumination/*.rs` |
@@ -49,6 +49,7 @@ pub mod surface;
 pub mod texture;
 pub mod trace;
 pub mod world;
+pub mod zbuffer;
 
 pub use error::Error;
 pub use scalar::{Q16, Q20, Scalar, vector};

@@ -85,16 +85,8 @@ fn a_solution_is_kept_and_shown_and_is_that_of_its_scene() {
     let folder = Folder::new();
     folder.scene("g.rta", ROOM);
     folder.prints(&["radiosity", "g.rta", "--patches", "3", "-o", "g.txt"]);
-    let size = ["--device", "none", "--size", "24x24"];
-    let render = |args: &[&str]| {
-        let args = [&["render", "g.rta", "-o", "g.pfm"], args, &size].concat();
-        let ended = folder.rta(&args);
-        assert!(ended.status.success(), "{}", String::from_utf8_lossy(&ended.stderr));
-        let bytes = std::fs::read(folder.path("g.pfm")).expect("a picture");
-        let floats = bytes["PF\n24 24\n-1.0\n".len()..].chunks_exact(4);
-        floats.map(|float| f32::from_le_bytes(float.try_into().expect("four bytes"))).collect::<Vec<_>>()
-    };
-    let mean = |light: &[f32]| light.iter().map(|light| f64::from(*light)).sum::<f64>() / light.len() as f64;
+    let render = |args: &[&str]| picture(&folder, "g.rta", 24, args);
+    let mean = |light: &[[f64; 3]]| mean_of(light.iter().copied()).iter().sum::<f64>();
     let (both, all) = (
         render(&["--light", "g.txt", "--samples", "64"]),
         render(&["--light", "g.txt", "--light-as", "all"]),
@@ -121,6 +113,80 @@ fn a_solution_is_kept_and_shown_and_is_that_of_its_scene() {
         source.contains("const PATCHES: usize = 54") && source.contains("RADIOSITY: bool = true"),
         "{source}"
     );
+}
+
+/// Returns the light of a picture of `side` x `side` pixels, row by row from the bottom.
+fn picture(folder: &Folder, scene: &str, side: usize, args: &[&str]) -> Vec<[f64; 3]> {
+    let size = format!("{side}x{side}");
+    let args = [&["render", scene, "-o", "p.pfm", "--device", "none", "--size", &size], args].concat();
+    let ended = folder.rta(&args);
+    assert!(ended.status.success(), "{}", String::from_utf8_lossy(&ended.stderr));
+    let bytes = std::fs::read(folder.path("p.pfm")).expect("a picture");
+    let floats = bytes[format!("PF\n{side} {side}\n-1.0\n").len()..].chunks_exact(4);
+    let floats: Vec<_> =
+        floats.map(|float| f32::from_le_bytes(float.try_into().expect("four bytes")).into()).collect();
+    floats.chunks_exact(3).map(|rgb| [rgb[0], rgb[1], rgb[2]]).collect()
+}
+
+/// Returns the mean of some light.
+fn mean_of(light: impl Iterator<Item = [f64; 3]> + Clone) -> [f64; 3] {
+    let count = light.clone().count() as f64;
+    light.fold([0.0; 3], |sum, own| [0, 1, 2].map(|i| sum[i] + own[i] / count))
+}
+
+/// Room G with so much light that what a patch sends back is well above a level of a display.
+fn bright_room() -> String {
+    ROOM.replace(".3183098861837907", "6.366197723675814")
+}
+
+#[test]
+fn two_passes_have_the_light_of_each_patch_once() {
+    const PATCHES: usize = 6;
+    const PIXELS: usize = 8;
+    let folder = Folder::new();
+    // The floor fills the picture: its patches are squares of pixels.
+    let scene =
+        bright_room().replace("at .5 .02 .5  look 0 1 0  lens .6", "at .5 .5 .9999  look 0 0 -1  lens 1");
+    folder.scene("g.rta", &scene);
+    let solve = ["g.rta", "--factors", "exact", "--patches", "6"];
+    folder.prints(&[&["radiosity"], &solve[..], &["-o", "g.txt"]].concat());
+    let light = picture(&folder, "g.rta", PATCHES * PIXELS, &["--light", "g.txt", "--samples", "64"]);
+    for number in [0, 2, 7, 14, 21, 35] {
+        let (column, row) = (number % PATCHES, number / PATCHES);
+        let rows = light.chunks_exact(PATCHES * PIXELS).skip(row * PIXELS).take(PIXELS);
+        let shown = mean_of(rows.flat_map(|row| row.iter().skip(column * PIXELS).take(PIXELS)).copied());
+        let solved = patch(&folder, &[&solve[..], &["--patch", &format!("0,{number}")]].concat());
+        // Direct light, and what else arrives, times the reflectance: B / pi, within a level of a display.
+        for (shown, solved) in shown.into_iter().zip(solved) {
+            let solved = solved / core::f64::consts::PI;
+            assert!((shown - solved).abs() < 1.0 / 255.0, "patch {number}: {shown}, not {solved}");
+            assert!(solved > 0.05);
+        }
+    }
+}
+
+#[test]
+fn the_image_of_a_patch_in_a_mirror_is_the_patch() {
+    let folder = Folder::new();
+    let wall = "color .6 .1 .1";
+    let scene =
+        bright_room().replace("model lambert", "model whitted").replace(wall, "color 1 1 1  of mirror");
+    let seen = |camera: &str| {
+        let own = scene.replace("at .5 .02 .5  look 0 1 0  lens .6", camera);
+        folder.scene("m.rta", &own);
+        if !folder.path("m.txt").exists() {
+            folder.prints(&["radiosity", "m.rta", "-o", "m.txt"]);
+        }
+        let light = picture(&folder, "m.rta", 4, &["--light", "m.txt", "--samples", "256"]);
+        mean_of(light.into_iter())
+    };
+    // The floor and the front wall by the wall x = 0, and as they are seen from there.
+    for (by_mirror, from_there) in [
+        ("at .5 .5 .5  look -1 0 -.8  lens 60", "at .0005 .5 .0996  look 1 0 -.8  lens 60"),
+        ("at .5 .5 .5  look -1 .3 -.4  lens 60", "at .0005 .6502 .2998  look 1 .3 -.4  lens 60"),
+    ] {
+        assert_close(seen(by_mirror), seen(from_there), 0.003);
+    }
 }
 
 #[test]

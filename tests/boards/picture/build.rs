@@ -8,6 +8,7 @@
 //! | `RTA_LAMPS` | `point`; `area`: places on lamps with a size, so that shadows have soft edges | `point` |
 //! | `RTA_SAMPLES` | samples of a pixel, a power of two | where something spreads rays, what the scene says, or 4 |
 //! | `RTA_LIGHT` | `lamps`; `radiosity`: the board solves for the indirect light, too | `lamps` |
+//! | `RTA_EYE` | `rays`; `buffer`: rays from the eye are found by a Z-buffer of one row | `rays` |
 //! | `RTA_NEEDS` | `baked`: only what the scene needs; `everything` | `baked` |
 //! | `RTA_COLORS` | `standard`: the board's own colour table; `sampled`: a palette made for the picture; `dithered`: that, with error diffusion | `standard` |
 //! | `RTA_SIZE` | width and height in pixels | `160x100` |
@@ -54,6 +55,11 @@ fn main() -> Result<(), Box<dyn Error>> {
         "radiosity" => true,
         other => return Err(format!("RTA_LIGHT is lamps or radiosity, not {other}").into()),
     };
+    let buffered = match variable("RTA_EYE", "rays").as_str() {
+        "rays" => false,
+        "buffer" => true,
+        other => return Err(format!("RTA_EYE is rays or buffer, not {other}").into()),
+    };
     let scene = bake_by(file, |scene| {
         let recipe = Recipe::of(format, scene);
         let model = model.unwrap_or(recipe.model);
@@ -82,6 +88,7 @@ fn main() -> Result<(), Box<dyn Error>> {
          type Needs = {needs};\n\
          /// Whether the program is for this scene alone. Otherwise the compiler must not know what it will draw.\n\
          const BAKED: bool = {baked};\n\
+         /// Whether rays from the eye are found by a Z-buffer.\nconst BUFFERED: bool = {buffered};\n\
          /// How the colours of the picture are chosen.\nconst COLORS: Colors = Colors::{colors};\n\
          /// Pixels in a row.\npub const WIDTH: u32 = {width};\n\
          /// Rows.\npub const HEIGHT: u32 = {height};\n"

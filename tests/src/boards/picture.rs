@@ -46,6 +46,8 @@ pub struct Picture {
     pub lamps: Lamps,
     /// Whether the program solves for the radiosity of the scene.
     pub solves: bool,
+    /// Whether a Z-buffer finds what the rays from the eye meet.
+    pub buffered: bool,
     /// Whether the program holds only what this scene needs, or all that any scene may need.
     pub baked: bool,
     /// How its colours are chosen.
@@ -92,6 +94,7 @@ impl Picture {
             ("microbit", "opaque", Format::Q16) | ("mps2-an386", "juggler", Format::F32)
         );
         match self.colors {
+            Colors::Standard if self.buffered => matches!(board.name, "microbit" | "sparc" | "wasm"),
             Colors::Standard => {
                 if self.baked {
                     this_scene
@@ -111,6 +114,7 @@ impl Picture {
             return model.name();
         }
         match self.colors {
+            Colors::Standard if self.buffered => "Z-buffer",
             Colors::Standard if self.baked => "baked",
             Colors::Standard => "Everything",
             // Baked too.
@@ -220,11 +224,19 @@ impl Board {
                     format,
                     lamps: Lamps::Point,
                     solves: false,
+                    buffered: false,
                     baked: true,
                     colors: Colors::Standard,
                     size,
                 };
                 pictures.push(picture.clone());
+                // One scene on each processor.
+                if scene == "juggler"
+                    && format == Format::Q16
+                    && !matches!(self.output, Output::Panel { .. } | Output::File { .. })
+                {
+                    pictures.push(Picture { buffered: true, ..picture.clone() });
+                }
                 if everything {
                     pictures.push(Picture { baked: false, ..picture.clone() });
                 }
@@ -255,6 +267,7 @@ impl Board {
             format: Format::Q16,
             lamps: Lamps::Point,
             solves: false,
+            buffered: false,
             baked: true,
             colors: Colors::Standard,
             size,

@@ -112,6 +112,7 @@ impl Toolchain {
             .env("RTA_FORMAT", picture.format.to_string())
             .env("RTA_LAMPS", if picture.lamps == Lamps::Point { "point" } else { "area" })
             .env("RTA_LIGHT", if picture.solves { "radiosity" } else { "lamps" })
+            .env("RTA_EYE", if picture.buffered { "buffer" } else { "rays" })
             .env("RTA_NEEDS", if picture.baked { "baked" } else { "everything" })
             .env("RTA_COLORS", picture.colors.name())
             .env("RTA_SIZE", format!("{width}x{height}"));

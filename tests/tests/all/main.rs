@@ -49,3 +49,4 @@ mod stability;
 mod stack;
 mod thin;
 mod values;
+mod zbuffer;

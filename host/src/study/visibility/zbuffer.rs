@@ -1,8 +1,8 @@
 //! The Z-buffer (E. Catmull, "A Subdivision Algorithm for Computer Display of Curved Surfaces", 1974): triangle by triangle, each pixel keeps
 //! the nearest so far. The depth is that of the triangle whose id is kept, so a pixel takes 4 bytes.
 //!
-//! In bands of rows it goes through all triangles once a band and keeps one band, which is what a board can hold: its core is
-//! [`buffered`] with one row.
+//! In bands of rows it goes through all triangles once a band and keeps one band, which is what a board can hold. The renderer of boards is
+//! `rta_core::zbuffer`: a row of depths along rays, for objects of all kinds.
 
 use core::iter;
 

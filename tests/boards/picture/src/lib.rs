@@ -18,6 +18,7 @@ use rta_core::raster::{Center, Pixels, Places, Raster};
 use rta_core::trace::dice::Spread;
 use rta_core::trace::moving::Moving;
 use rta_core::trace::{Distributed, Spectrum, Trace, Tracer};
+use rta_core::zbuffer::{Told, ZBuffer};
 use rta_drivers::checksum::{Checksum, Unseen};
 use rta_drivers::display::{Capabilities, Display};
 use rta_drivers::dither::{Cell, Damped, Diffusion, Dither, DitherError};
@@ -122,6 +123,17 @@ const MOVES: bool = !scene::MOTIONS.is_empty() || scene::SPREAD.eye.is_some();
 /// The tracer of the baked scene with its model, by whichever accelerator it has.
 type Traced<'a, M, A> = Tracer<'a, scene::Number, M, Needs, { DEPTH as usize }, A>;
 
+/// Such a tracer behind a Z-buffer, whose row takes the board's own picture and that of [`checksum`].
+type Buffered<'a, M, A> = ZBuffer<
+    'a,
+    scene::Number,
+    M,
+    Needs,
+    { DEPTH as usize },
+    { if WIDTH > 160 { WIDTH as usize } else { 160 } },
+    A,
+>;
+
 /// What is done with the tracer of the scene.
 trait Drawing {
     /// What has been drawn on.
@@ -145,6 +157,12 @@ fn draw_sized<D: Drawing>(
     let raster = Raster::new(width, height).map_err(DrawError::Tracer)?;
     let scene = if BAKED { &scene::SCENE } else { core::hint::black_box(&scene::SCENE) };
     let [model, further @ ..] = scene::models();
+    if BUFFERED {
+        let told = Told::of(scene);
+        let buffer: Buffered<'_, _, _> =
+            ZBuffer::new(&told, model, DEPTH.into(), raster).map_err(DrawError::Tracer)?;
+        return drawing.draw(&buffer, Center, raster);
+    }
     let tracer: Traced<'_, _, _> = Tracer::new(scene, model, DEPTH.into()).map_err(DrawError::Tracer)?;
     if SPECTRAL {
         let mut scenes = scene::FURTHER.iter();

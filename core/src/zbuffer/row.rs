@@ -1,0 +1,86 @@
+//! One row of the buffer, and how it is filled.
+
+use core::marker::PhantomData;
+use core::ops::ControlFlow;
+
+use super::columns::Columns;
+use super::told::Memory;
+use crate::camera::Camera;
+use crate::needs::Needs;
+use crate::raster::Raster;
+use crate::scalar::Scalar;
+use crate::scene::{Object, Visit, index};
+use crate::shape::Primitive;
+use crate::world::World;
+
+/// A row of a picture: how far the nearest objects are, and which they are.
+#[derive(Clone, Copy, Debug)]
+pub struct Row<S, M, const WIDTH: usize> {
+    /// What is kept for the rays that are traced.
+    pub(super) traced: Memory<M>,
+    /// Which row it is.
+    y: Option<u32>,
+    /// The distance of the nearest object in each column.
+    nearest: [S; WIDTH],
+    /// Its number, counted from 1 in the order of [`Scene::each`](crate::scene::Scene::each); 0 where there is none.
+    numbers: [u32; WIDTH],
+}
+
+impl<S: Scalar, M: Default, const WIDTH: usize> Default for Row<S, M, WIDTH> {
+    fn default() -> Self {
+        Self { traced: Memory::default(), y: None, nearest: [S::FAR; WIDTH], numbers: [0; WIDTH] }
+    }
+}
+
+impl<S: Scalar, M, const WIDTH: usize> Row<S, M, WIDTH> {
+    /// Returns the number of the nearest object in a column, 0 for none.
+    pub(super) fn number(&self, x: u32) -> u32 {
+        self.numbers.get(index(x)).copied().unwrap_or(0)
+    }
+
+    /// Makes this row `y` of a picture, if it is not yet.
+    pub(super) fn fill<N: Needs>(&mut self, world: &World<S>, camera: &Camera<S>, raster: Raster, y: u32) {
+        if self.y == Some(y) {
+            return;
+        }
+        self.y = Some(y);
+        self.nearest.fill(S::FAR);
+        self.numbers.fill(0);
+        let columns = Columns::new(camera, raster, y);
+        let _ = world.scene.each::<N>(&mut Fill {
+            row: self,
+            needs: PhantomData::<fn() -> N>,
+            world,
+            columns,
+            objects: 0,
+        });
+    }
+}
+
+/// Puts one object after the other into a row.
+struct Fill<'r, S: Scalar, M, N, const WIDTH: usize> {
+    row: &'r mut Row<S, M, WIDTH>,
+    needs: PhantomData<fn() -> N>,
+    world: &'r World<'r, S>,
+    columns: Columns<'r, S>,
+    /// How many have been put.
+    objects: u32,
+}
+
+impl<S: Scalar, M, N: Needs, const WIDTH: usize> Visit<S> for Fill<'_, S, M, N, WIDTH> {
+    fn run<P: Primitive<S>>(&mut self, _first: Object, run: &[P]) -> ControlFlow<()> {
+        for object in run {
+            // A list has fewer than 2^32 objects.
+            self.objects = self.objects.saturating_add(1);
+            let columns = if P::IS_FINITE { self.columns.of(&object.look()) } else { self.columns.all() };
+            let row = self.row.nearest.iter_mut().zip(&mut self.row.numbers).zip(0..);
+            for ((nearest, number), x) in row.take(index(columns.end)).skip(index(columns.start)) {
+                let ray = self.world.ray::<N>(self.columns.camera.eye, self.columns.direction(x));
+                if let Some(t) = object.intersect(&ray, *nearest) {
+                    (*nearest, *number) = (t, self.objects);
+                }
+            }
+        }
+        ControlFlow::Continue(())
+    }
+}
