@@ -193,7 +193,12 @@ impl<'a, S: Scalar> Mesh<'a, S> {
         let triangle = self.triangles.get(index(quad.triangle))?;
         let [along, _] = quad.slopes([S::Unit::ratio(1, 2); 2]);
         let (_, spread) = quad.spread(triangle.normal)?;
-        let frame = Frame::beside(triangle.normal, along.normalize()?.0);
+        let along = along.normalize()?.0;
+        // Where the first of the triangles is not in one plane with the others, u may lead out of its plane.
+        let (lean, least) = (along.dot(triangle.normal), S::Unit::ratio(1, 1 << 14));
+        let is_flat = lean < least && -lean < least;
+        let first = if is_flat { along } else { along.plus(triangle.normal, -lean).normalize()?.0 };
+        let frame = Frame::beside(triangle.normal, first);
         Some(Site { quad, patch, normal: triangle.normal, extent: triangle.extent, frame, spread })
     }
 
