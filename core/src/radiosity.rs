@@ -12,6 +12,7 @@
 //! | way | memory for each patch | where |
 //! | --- | --- | --- |
 //! | gathering: what is seen from a patch is traced anew in each sweep | 12 bytes in `Q16` | [`Solver`] |
+//! | gathering, with what is seen kept | 20 bytes more for each ray | [`Solver::view`] |
 //! | shooting: the brightest patch sends its light to all others | 24 bytes | [`Shooter`] |
 //! | Gauss and Gauss-Seidel, with all factors in memory | 4 bytes for each pair of patches | [`Matrix`] |
 //!
@@ -40,6 +41,7 @@ mod quad;
 mod shoot;
 mod sweep;
 mod vertex;
+mod view;
 mod wallace;
 
 pub use cast::{Cast, Casts, HemiCube, Rays};
@@ -52,6 +54,7 @@ pub use quad::{Quad, greatest_reflectance};
 pub use shoot::Shooter;
 pub use sweep::{Outcome, Stop};
 pub use vertex::Solution;
+pub use view::{End, View};
 pub use wallace::Balance;
 
 /// The reason why radiosity is refused.

@@ -6,6 +6,7 @@ use super::cast::Casts;
 use super::factor::point_to_polygon;
 use super::mesh::{Mesh, Patch, Site};
 use super::sweep::{Gathered, Outcome, Stop, Watch};
+use super::view::View;
 use super::{Error, room};
 use crate::accelerator::{Accelerator, Lists};
 use crate::color::Rgb;
@@ -97,6 +98,21 @@ impl<'a, S: Scalar, N: Needs, C: Casts<S>, A: Accelerator<S>> Solver<'a, S, N, C
         arriving: Option<&[Rgb<S::Light>]>,
         bits: u8,
     ) -> Result<Outcome<S::Light>, Error> {
+        self.sweep_kept(reflected, arriving, bits, |_| None)
+    }
+
+    /// As [`Solver::sweep`], with the same result to the last bit, where `view` may return what the patch of a number sees
+    /// ([`Solver::view`]): its rays are not traced again.
+    ///
+    /// # Errors
+    /// [`Error::Room`] where a slice is shorter than the mesh.
+    pub fn sweep_kept<'v>(
+        &self,
+        reflected: &mut [Rgb<S::Light>],
+        arriving: Option<&[Rgb<S::Light>]>,
+        bits: u8,
+        view: impl Fn(usize) -> Option<View<'v, S>>,
+    ) -> Result<Outcome<S::Light>, Error> {
         let needed = self.mesh.len();
         let reflected = room(reflected, needed)?;
         if let Some(found) = arriving.map(<[_]>::len).filter(|&found| found < needed) {
@@ -112,7 +128,11 @@ impl<'a, S: Scalar, N: Needs, C: Casts<S>, A: Accelerator<S>> Solver<'a, S, N, C
             };
             let reflectance = site.quad.reflectance;
             let own = direct.zip(reflectance, S::Light::times);
-            let new = own.plus(self.gathered(&site, reflected, reflectance, &mut memory));
+            let gathered = match view(number) {
+                Some(view) => self.viewed(&view, reflected, reflectance),
+                None => self.gathered(&site, reflected, reflectance, &mut memory),
+            };
+            let new = own.plus(gathered);
             if let Some(old) = reflected.get_mut(number) {
                 watch.put(old, new, new);
             }
@@ -143,13 +163,23 @@ impl<'a, S: Scalar, N: Needs, C: Casts<S>, A: Accelerator<S>> Solver<'a, S, N, C
         let mut gathered = Gathered::NOTHING;
         let weigh = |gathered: &mut Gathered<S::Light>, weight| gathered.weigh(weight);
         self.each(site, memory, &mut gathered, weigh, |gathered, (patch, number), weights, is_straight| {
-            let light = reflected.get(number).copied().unwrap_or(Rgb::BLACK);
-            // H is what comes straight from lamps.
-            let is_in_h = is_straight && self.lamps.is_some();
-            let light = if is_in_h { light } else { light.plus(self.mesh.emitted(patch)) };
-            gathered.add_each(light, weights);
+            gathered.add_each(self.sent((number, || Some(patch)), is_straight, reflected), weights);
         });
         gathered.mean(factor)
+    }
+
+    /// Returns the light that the patch of a number sends along a ray that ends there.
+    pub(super) fn sent(
+        &self,
+        (number, patch): (usize, impl FnOnce() -> Option<Patch>),
+        is_straight: bool,
+        reflected: &[Rgb<S::Light>],
+    ) -> Rgb<S::Light> {
+        let light = reflected.get(number).copied().unwrap_or(Rgb::BLACK);
+        // H is what comes straight from lamps.
+        let is_in_h = is_straight && self.lamps.is_some();
+        let emitted = |patch| self.mesh.emitted(patch);
+        if is_in_h { light } else { light.plus(patch().map_or(Rgb::BLACK, emitted)) }
     }
 
     /// Writes the form factors from a patch to all, in the order of their numbers. They come to 1, less the part of what is
@@ -194,13 +224,8 @@ impl<'a, S: Scalar, N: Needs, C: Casts<S>, A: Accelerator<S>> Solver<'a, S, N, C
             let weight = site.weight(at);
             gathered.weigh(weight);
             let place = site.quad.place(at);
-            let lamps = self.mesh.patches().filter(|lamp| lamp.quad != patch.quad);
-            for (number, lamp) in (0u32..).zip(lamps) {
-                let emission = self.mesh.emitted(lamp);
+            for (lamp, number) in self.mesh.lamps(patch.quad) {
                 let Some(lamps) = self.mesh.quads().get(lamp.quad) else { continue };
-                if emission == Rgb::BLACK {
-                    continue;
-                }
                 let factor = point_to_polygon::<S>(place, site.normal, &lamps.outline(lamp.cell));
                 if factor <= S::Unit::ZERO {
                     continue;
@@ -209,7 +234,7 @@ impl<'a, S: Scalar, N: Needs, C: Casts<S>, A: Accelerator<S>> Solver<'a, S, N, C
                     pair(own, name, Purpose::Lamp.tag(0), seed, count.wrapping_mul(number).wrapping_add(k));
                 let there = lamps.place(lamps.within(lamp.cell, words.map(S::Unit::of_word)));
                 if self.is_open(&site, place, (lamp.quad, there), memory) {
-                    gathered.add(emission, weight.times(factor));
+                    gathered.add(lamps.emission, weight.times(factor));
                 }
             }
         }

@@ -148,6 +148,24 @@ impl<'a, S: Scalar> Mesh<'a, S> {
         })
     }
 
+    /// Returns the patches that emit, but for those of the quadrilateral `own`, in the order of their numbers, each with its number among all
+    /// patches of other quadrilaterals.
+    pub(super) fn lamps(&self, own: usize) -> impl Iterator<Item = (Patch, u32)> {
+        let skipped = self.quads.get(own).map_or(0, Quad::len);
+        let others = self.quads.iter().enumerate().filter(move |(number, _)| *number != own);
+        others.filter(|(_, quad)| quad.emission != Rgb::BLACK).flat_map(move |(number, quad)| {
+            let before = if number > own { skipped } else { 0 };
+            let [nu, nv] = quad.patches;
+            let [[i0, j0], [i1, j1]] = quad.emitting;
+            (j0..j1.min(nv)).flat_map(move |j| {
+                (i0..i1.min(nu)).filter_map(move |i| {
+                    let patch = Patch { quad: number, cell: [i, j] };
+                    Some((patch, u32::try_from(self.number(patch)? - before).ok()?))
+                })
+            })
+        })
+    }
+
     /// Returns the patch with this number among all.
     pub fn patch(&self, number: usize) -> Option<Patch> {
         let found = self.quads.partition_point(|quad| index(quad.first) <= number).checked_sub(1)?;
@@ -175,7 +193,12 @@ impl<'a, S: Scalar> Mesh<'a, S> {
         let triangle = self.triangles.get(index(quad.triangle))?;
         let [along, _] = quad.slopes([S::Unit::ratio(1, 2); 2]);
         let (_, spread) = quad.spread(triangle.normal)?;
-        let frame = Frame::beside(triangle.normal, along.normalize()?.0);
+        let along = along.normalize()?.0;
+        // Where the first of the triangles is not in one plane with the others, u may lead out of its plane.
+        let (lean, least) = (along.dot(triangle.normal), S::Unit::ratio(1, 1 << 14));
+        let is_flat = lean < least && -lean < least;
+        let first = if is_flat { along } else { along.plus(triangle.normal, -lean).normalize()?.0 };
+        let frame = Frame::beside(triangle.normal, first);
         Some(Site { quad, patch, normal: triangle.normal, extent: triangle.extent, frame, spread })
     }
 

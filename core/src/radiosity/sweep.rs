@@ -63,6 +63,16 @@ pub(super) struct Gathered<L: Light> {
 impl<L: Light> Gathered<L> {
     pub(super) const NOTHING: Self = Self { sums: Rgb::new(L::EMPTY, L::EMPTY, L::EMPTY), whole: L::EMPTY };
 
+    /// Returns no light of weights that come to `whole`.
+    pub(super) const fn of(whole: L::Sum) -> Self {
+        Self { whole, ..Self::NOTHING }
+    }
+
+    /// Returns the sum of the weights.
+    pub(super) const fn whole(&self) -> L::Sum {
+        self.whole
+    }
+
     pub(super) fn weigh(&mut self, weight: L::Unit) {
         self.whole = L::WHITE.added(self.whole, weight);
     }

@@ -20,6 +20,7 @@ mod mesh;
 mod room;
 mod shoot;
 mod vertex;
+mod view;
 
 /// Returns the light of three registers, each below 2.
 fn light<S: Read>([r, g, b]: [f64; 3]) -> Rgb<S::Light> {

@@ -8,18 +8,20 @@ use super::magnitude::size64;
 use super::vector::{LengthVector, Plan, UnitVector, Vector};
 use super::{Light, Magnitude, Number, Positive, Scalar, Unit};
 
+mod scale;
 mod single {
+    pub(super) use super::scale::single as ldexp;
     pub(super) use core::f32::consts::{FRAC_2_SQRT_PI, PI};
     pub(super) use libm::{
-        asinf as asin, atan2f as atan2, erfcf as erfc, exp2f as exp2, expf as exp, ldexpf as ldexp,
-        powf as pow, sqrtf as sqrt,
+        asinf as asin, atan2f as atan2, erfcf as erfc, exp2f as exp2, expf as exp, powf as pow, sqrtf as sqrt,
     };
 }
 
 #[cfg(feature = "f64")]
 mod double {
+    pub(super) use super::scale::double as ldexp;
     pub(super) use core::f64::consts::{FRAC_2_SQRT_PI, PI};
-    pub(super) use libm::{asin, atan2, erfc, exp, exp2, ldexp, pow, sqrt};
+    pub(super) use libm::{asin, atan2, erfc, exp, exp2, pow, sqrt};
 }
 
 macro_rules! float {
@@ -83,6 +85,7 @@ macro_rules! float {
 
         impl Positive for $f {
             type Unit = $f;
+            #[cfg_attr(not(target_os = "none"), inline)] // of constants it is one
             fn new(value: u64, exponent: i32) -> Self {
                 $libm::ldexp(value as $f, exponent)
             }
@@ -181,9 +184,8 @@ macro_rules! float {
             fn over(self, slope: Self) -> Self {
                 (self / slope).min($far)
             }
-            /// A component of a foot point errs by at most `4 u (|b| + r)`, `u = EPSILON / 2`: the rounding of a product
-            /// and a difference, and the error of the direction's length. Two foot points of three components
-            /// err by `7 EPSILON` of it; a little more than twice that is added.
+            /// A component of a foot point errs by at most `4 u (|b| + r)`, `u = EPSILON / 2`: the rounding of a product and a difference, and
+            /// the error of the direction's length. Two of three err by `7 EPSILON` of it; a little more than twice that is added.
             fn padded(self, distance: Self) -> Self {
                 self + 16.0 * <$f>::EPSILON * (distance.abs() + self)
             }

@@ -156,7 +156,9 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Acceler
             observer.cut();
             return None;
         }
-        let [which, how] = dice.words(Purpose::Choice, node);
+        // Where there is nothing to choose, no numbers are drawn for it.
+        let chooses = lobes.chooses() || (self.rules.lamps == Asked::One && self.count() > 1);
+        let [which, how] = if chooses { dice.words(Purpose::Choice, node) } else { [0; 2] };
         let direct = self.lit((&surface, &lobes), (which, dice, node), memory, observer);
         *light = light.plus(scaled::<S>(direct, path.weight));
         let lobe = lobes.choose(how)?;

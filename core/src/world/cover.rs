@@ -17,7 +17,10 @@ impl<'a, S: Scalar> World<'a, S> {
     /// Covers a surface of an object with the coat of its material, if it has one. `kind` is what the ray is traced for.
     #[inline(always)] // so that a scene without coats pays for one comparison
     pub fn cover<N: Needs>(&self, surface: &mut Surface<'a, S>, object: Object, kind: RayKind) {
-        if N::COATS && !self.scene.coats.is_empty() {
+        // Not by light alone.
+        let is_covered =
+            N::CHECKER | N::MARBLE | N::WOOD | N::IMAGES | N::BUMPS | N::SURROUNDINGS | N::MESHES;
+        if N::COATS && is_covered && !self.scene.coats.is_empty() {
             // A copy, so that the surface need not be in memory in a scene without coats.
             let mut covered = *surface;
             self.put_on::<N>(&mut covered, object, kind);

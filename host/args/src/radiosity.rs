@@ -50,7 +50,7 @@ pub struct RadiosityArgs {
 /// How the light of patches is found.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Method {
-    /// Light is gathered patch by patch, with what each sees traced anew: 24 bytes a patch
+    /// Light is gathered patch by patch from what each sees, which is traced once
     Gather,
     /// All factors are kept, and patches improved in turn (Gauss and Seidel)
     Seidel,

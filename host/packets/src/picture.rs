@@ -39,7 +39,7 @@ pub use added::{Added, Pass, Sums};
 use antialiased::Antialiased;
 pub use error::PictureError;
 use moving::Moving;
-use paths::Pathed;
+use paths::Following;
 use spectral::Spectral;
 use spread::Spread;
 
@@ -182,10 +182,10 @@ macro_rules! formats {
                     }
                 }
                 if let Some(&spreading) = setup.sampling.spreading() {
-                    let model = any(&ready.scene).into_first();
-                    let still = Modelled { ready, model };
+                    let still = Modelled { model: any(&ready.scene).into_first(), ready };
                     if let Integrator::Paths { bounces, is_cut } = spreading.integrator {
-                        return Ok(Box::new(Pathed { still, spreading, bounces, is_cut }));
+                        let following = Following { spreading, bounces, is_cut };
+                        return Ok(paths::picture(still, (model, air), following));
                     }
                     if scene.has_motion() {
                         let (mut held, built) = (narrow::<$f>(scene, setup.aspect)?, bvh::build::<$f>(scene));

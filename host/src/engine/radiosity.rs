@@ -8,8 +8,7 @@ use rta_core::needs::Everything;
 use rta_core::radiosity::{self, Casts, HemiCube, Matrix, Mesh, Rays, Solver, Stop};
 use rta_core::range::Admitted;
 use rta_core::scalar::Scalar;
-use rta_scenes::accelerator::bvh;
-use rta_scenes::accelerator::search::Search;
+use rta_packets::{Packets, ShadowCache, ToF32};
 use rta_scenes::description::Description;
 use rta_scenes::in_format;
 use rta_scenes::narrow::quads::quads;
@@ -180,17 +179,16 @@ pub fn solve(scene: &Description, settings: &Settings, stop: &AtomicBool) -> Res
     in_format!(settings.format, S => solved_in::<S>(scene, (settings, factors), stop))
 }
 
-fn solved_in<S: Narrow>(
+fn solved_in<S: Narrow + ToF32>(
     scene: Description,
     (settings, factors): (Settings, Factors),
     stop: &AtomicBool,
 ) -> Result<Solved, RadiosityError> {
     let narrowed = narrow::<S>(&scene, 1.0).map_err(EngineError::from)?;
     let limits = narrowed.admit().map_err(EngineError::from)?.limits;
-    let built = bvh::build::<S>(&scene);
-    let search = built.bvh().map_or(Search::Lists, Search::Hierarchy);
+    let packets = Packets::build::<S>(&scene);
     let rays = AtomicU64::new(0);
-    let admitted = Admitted::baked(narrowed.scene(), limits, Counted { search, rays: &rays });
+    let admitted = Admitted::baked(narrowed.scene(), limits, Counted { search: &packets, rays: &rays });
     let quads = quads::<S>(&scene).map_err(EngineError::from)?;
     let mesh = Mesh::new(&quads, &admitted.scene)?;
     let work = Work { admitted: &admitted, mesh, scene: &scene, settings, stop };
@@ -240,14 +238,14 @@ fn solved_in<S: Narrow>(
 
 /// A scene that is being solved.
 struct Work<'a, S: Scalar> {
-    admitted: &'a Admitted<'a, S, Counted<'a, Search<'a, S>>>,
+    admitted: &'a Admitted<'a, S, Counted<'a, &'a Packets>>,
     mesh: Mesh<'a, S>,
     scene: &'a Description,
     settings: Settings,
     stop: &'a AtomicBool,
 }
 
-impl<S: Narrow> Work<'_, S> {
+impl<S: Narrow + ToF32> Work<'_, S> {
     /// Solves by the method, where patches see by `casts`, or, if `is_exact`, by exact factors.
     fn found<C: Casts<S>>(&self, casts: C, is_exact: bool) -> Result<Found<S>, RadiosityError> {
         let Settings { method, seed, sweeps, .. } = self.settings;
@@ -295,11 +293,12 @@ impl<S: Narrow> Work<'_, S> {
     /// Returns what arrives at each patch straight from what emits: the mean of several solvers with different places on lamps.
     fn direct<C: Casts<S>>(&self, casts: C) -> Vec<Rgb<S::Light>> {
         let mut sums = vec![[0.0; 3]; self.mesh.len()];
+        let mut cache = ShadowCache::default();
         for number in 0..LAMP_ROUNDS {
             let seed = self.settings.seed.wrapping_add(number);
             let solver = Solver::<S, Everything, C, _>::new(self.admitted, self.mesh, casts, seed);
             for (sum, patch) in sums.iter_mut().zip(self.mesh.patches()) {
-                let Rgb { r, g, b } = solver.arriving(patch, &mut ());
+                let Rgb { r, g, b } = solver.arriving(patch, &mut cache);
                 sum.iter_mut().zip([r, g, b]).for_each(|(sum, light)| *sum += S::light_to_f64(light));
             }
         }

@@ -1,7 +1,7 @@
 use super::{Faces, Wall, furnace};
-use crate::radiosity::{Error, Fault, Mesh, Patch};
-use crate::scalar::read::{Read, place};
-use crate::scalar::vector::Vector;
+use crate::radiosity::{Cast, Casts, Error, Fault, Mesh, Patch, Rays};
+use crate::scalar::read::{Read, direction, place};
+use crate::scalar::vector::{UnitVector, Vector};
 use crate::scalar::{Magnitude, Scalar};
 use crate::scene::Object;
 use crate::{Q16, Q20};
@@ -127,3 +127,32 @@ fn light_that_does_not_fit_is_refused() {
 }
 
 extern crate std;
+
+/// Checks that rays leave a quadrilateral that is a little bent, the red wall of the Cornell box, in unit directions.
+fn leaves_in_unit_directions<S: Read>(rounding: f64) {
+    let corners = [[0.032, 0.0, 0.0], [0.064, 5.592, 0.0], [0.0, 5.592, 5.488], [0.0, 0.0, 5.488]];
+    let mut faces = Faces::<S>::new();
+    faces.push(corners, [8, 8], GREY);
+    // Of the first triangle alone: edges (.032, 5.592, 0) and (-.032, 5.592, 5.488).
+    let normal = [5.592 * 5.488, -0.032 * 5.488, 0.032 * 5.592 * 2.0];
+    let length = libm::sqrt(normal.iter().map(|c| c * c).sum());
+    faces.triangles[0].normal = direction::<S>(normal.map(|c| c / length));
+    let site = faces.mesh().site(Patch { quad: 0, cell: [3, 5] }).expect("it is there");
+    let rays = Rays { count: 64, seed: 0 };
+    for k in 0..64 {
+        let cast: Cast<S> = rays.cast(0, 0, k);
+        let leaves = site.frame.vector(cast.direction);
+        let [x, y, z] = [leaves.x(), leaves.y(), leaves.z()].map(S::read);
+        assert!((x * x + y * y + z * z - 1.0).abs() < rounding, "{k}: {leaves:?}");
+        let [_, _, height] = cast.direction.map(S::read);
+        assert!((S::read(leaves.dot(site.normal)) - height).abs() < rounding, "{k}: {leaves:?}");
+    }
+}
+
+#[test]
+fn rays_leave_a_bent_quadrilateral_in_unit_directions() {
+    leaves_in_unit_directions::<f64>(1e-14);
+    leaves_in_unit_directions::<f32>(1e-6);
+    leaves_in_unit_directions::<Q16>(2e-8);
+    leaves_in_unit_directions::<Q20>(2e-8);
+}

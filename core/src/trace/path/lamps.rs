@@ -79,7 +79,7 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Acceler
     }
 
     /// Returns how many lamps shine.
-    fn count(&self) -> usize {
+    pub(super) fn count(&self) -> usize {
         let lamps = self.spread.tracer.scene.scene.lamps;
         if N::LAMPS { lamps.len().min(if N::SEVERAL_LAMPS { usize::MAX } else { 1 }) } else { 0 }
     }

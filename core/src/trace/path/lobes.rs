@@ -126,6 +126,11 @@ impl<S: Scalar> Lobes<S> {
         self.facets.filter(|_| self.through.is_none())
     }
 
+    /// Returns whether a number decides which lobe the path takes, or whether it ends.
+    pub(super) fn chooses(&self) -> bool {
+        self.may_end || self.chances.iter().filter(|chance| **chance > S::Unit::ZERO).count() > 1
+    }
+
     /// Returns the lobe that the path takes by a number of 32 bits behind the point; `None` where it ends.
     pub(super) fn choose(&self, word: u32) -> Option<usize> {
         let (number, mut below, mut chosen) = (S::Unit::of_word(word), S::Unit::ZERO, None);

@@ -5,7 +5,7 @@ use core::sync::atomic::{AtomicBool, Ordering};
 use rta_core::accelerator::Accelerator;
 use rta_core::color::Rgb;
 use rta_core::needs::Everything;
-use rta_core::radiosity::{Casts, Matrix, Shooter, Solver, Stop};
+use rta_core::radiosity::{Casts, End, Matrix, Shooter, Solver, Stop, View};
 use rta_core::scalar::{Light, Scalar, Summed, Unit};
 use rta_scenes::narrow::Narrow;
 
@@ -14,6 +14,9 @@ use crate::engine::progress::Progress;
 
 /// The part of what was emitted below which nothing more is shot.
 const UNSHOT: f64 = 1.0 / 1000.0;
+
+/// The most ends of rays that are kept from sweep to sweep, each in 32 bytes at most; rays of patches beyond are traced in each sweep.
+const MOST_ENDS: usize = 1 << 23;
 
 /// What arrives at the patches, and how it was found.
 pub(super) struct Found<S: Scalar> {
@@ -39,12 +42,29 @@ pub(super) fn gathered<S: Narrow, C: Casts<S>, A: Accelerator<S>>(
     let mesh = *solver.mesh();
     let mut reflected = vec![Rgb::BLACK; mesh.len()];
     let mut memory = A::Memory::default();
-    let mut progress = Progress::new(u32::from(stop.sweeps) + 1);
+    // Seeing takes longer than all sweeps, but for what is not kept.
+    let mut progress = Progress::new(u32::try_from(mesh.len()).unwrap_or(u32::MAX));
+    let (mut ends, mut seen) = (Vec::<End<S>>::new(), Vec::new());
+    for (patch, number) in mesh.patches().zip(1..) {
+        if interrupt.load(Ordering::Relaxed) {
+            return Err(BandsError::Interrupted.into());
+        }
+        if ends.len() >= MOST_ENDS {
+            break;
+        }
+        let first = ends.len();
+        let Some(whole) = solver.view(patch, &mut memory, |end| ends.push(end)) else { break };
+        seen.push((first..ends.len(), whole));
+        progress.reached(number);
+    }
+    let view = |number: usize| {
+        let (range, whole) = seen.get(number)?;
+        Some(View { ends: ends.get(range.clone())?, whole: *whole })
+    };
     let mut sweeps = 0;
     let outcome = loop {
-        let outcome = solver.sweep(&mut reflected, Some(&direct), stop.bits)?;
+        let outcome = solver.sweep_kept(&mut reflected, Some(&direct), stop.bits, view)?;
         sweeps += 1;
-        progress.reached(sweeps);
         if interrupt.load(Ordering::Relaxed) {
             return Err(BandsError::Interrupted.into());
         }
@@ -52,7 +72,12 @@ pub(super) fn gathered<S: Narrow, C: Casts<S>, A: Accelerator<S>>(
             break outcome;
         }
     };
-    let indirect = mesh.patches().map(|patch| solver.indirect(patch, &reflected, &mut memory)).collect();
+    let white = Rgb::new(S::Unit::ONE, S::Unit::ONE, S::Unit::ONE);
+    let indirect = mesh.patches().enumerate().map(|(number, patch)| match view(number) {
+        Some(view) => solver.viewed(&view, &reflected, white),
+        None => solver.indirect(patch, &reflected, &mut memory),
+    });
+    let indirect = indirect.collect();
     let left = S::light_to_f64(outcome.change);
     Ok(Found { direct, indirect, rounds: sweeps, left, is_done: outcome.is_done })
 }
