@@ -29,6 +29,7 @@ use core::fmt;
 use crate::quantity::Bound;
 
 mod cast;
+mod ends;
 #[cfg(feature = "f64")]
 pub mod exact;
 mod factor;
@@ -45,6 +46,7 @@ mod view;
 mod wallace;
 
 pub use cast::{Cast, Casts, HemiCube, Rays};
+pub use ends::{End, View};
 pub use factor::point_to_polygon;
 pub use gather::Solver;
 pub use indirect::Indirect;
@@ -54,7 +56,6 @@ pub use quad::{Quad, greatest_reflectance};
 pub use shoot::Shooter;
 pub use sweep::{Outcome, Stop};
 pub use vertex::Solution;
-pub use view::{End, View};
 pub use wallace::Balance;
 
 /// The reason why radiosity is refused.

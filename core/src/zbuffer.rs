@@ -7,7 +7,7 @@
 //! 8 bytes a column in fixed point and `f32`, and nothing for the whole picture.
 //!
 //! Depth is the distance along the pixel's ray as the object's own [`Primitive::intersect`](crate::shape::Primitive::intersect) finds it, so the picture is that of the
-//! [`Tracer`] to the last bit. Only where flat objects lie at one place, and the tracer takes the first in order, the Z-buffer may show another.
+//! [`Tracer`] to the last bit. Where flat objects lie at one place, so that roundings would decide, the ray is traced.
 
 mod columns;
 mod row;
@@ -103,7 +103,7 @@ impl<S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, const WIDTH: u
         if Center.place(self.raster, row, x, 0) == (right, up) {
             let (scene, ..) = self.tracer.parts();
             memory.fill::<N>(scene, camera, self.raster, y);
-            memory.traced.next = Some(memory.number(x));
+            memory.traced.next = memory.number(x);
         }
         self.trace(camera.eye, camera.direction(right, up), memory, observer)
     }

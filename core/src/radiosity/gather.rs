@@ -3,10 +3,10 @@
 use core::marker::PhantomData;
 
 use super::cast::Casts;
+use super::ends::View;
 use super::factor::point_to_polygon;
 use super::mesh::{Mesh, Patch, Site};
 use super::sweep::{Gathered, Outcome, Stop, Watch};
-use super::view::View;
 use super::{Error, room};
 use crate::accelerator::{Accelerator, Lists};
 use crate::color::Rgb;

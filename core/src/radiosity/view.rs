@@ -2,6 +2,7 @@
 //! memory for it.
 
 use super::cast::Casts;
+use super::ends::{End, View};
 use super::gather::Solver;
 use super::mesh::Patch;
 use super::sweep::Gathered;
@@ -9,25 +10,6 @@ use crate::accelerator::Accelerator;
 use crate::color::Rgb;
 use crate::needs::Needs;
 use crate::scalar::{Scalar, Summed};
-
-/// The end of a ray of a patch on another patch.
-#[derive(Clone, Copy, Debug)]
-pub struct End<S: Scalar> {
-    /// The number of the other patch among all.
-    number: u32,
-    /// The part of its light that arrives, register by register.
-    weights: Rgb<S::Unit>,
-    /// Whether the ray came there straight, not by mirrors or glass.
-    is_straight: bool,
-}
-
-/// What a patch sees: the ends of its rays, in their order, and the sum of the weights of all its rays.
-pub struct View<'v, S: Scalar> {
-    /// The ends.
-    pub ends: &'v [End<S>],
-    /// The sum of the weights, also of rays that are lost.
-    pub whole: <S::Light as Summed>::Sum,
-}
 
 impl<S: Scalar, N: Needs, C: Casts<S>, A: Accelerator<S>> Solver<'_, S, N, C, A> {
     /// Calls `keep` with each end of the rays of a patch, and returns the sum of the weights of its rays; `None` for a patch that is not there.

@@ -5,10 +5,13 @@ use core::ops::ControlFlow;
 
 use super::columns::Columns;
 use super::told::Memory;
+#[cfg(doc)]
+use crate::accelerator::Closest;
+use crate::accelerator::STEEPEST;
 use crate::camera::Camera;
 use crate::needs::Needs;
 use crate::raster::Raster;
-use crate::scalar::Scalar;
+use crate::scalar::{Scalar, Unit};
 use crate::scene::{Object, Visit, index};
 use crate::shape::Primitive;
 use crate::world::World;
@@ -22,7 +25,7 @@ pub struct Row<S, M, const WIDTH: usize> {
     y: Option<u32>,
     /// The distance of the nearest object in each column.
     nearest: [S; WIDTH],
-    /// Its number, counted from 1 in the order of [`Scene::each`](crate::scene::Scene::each); 0 where there is none.
+    /// Its number, counted from 1 in the order of [`Scene::each`](crate::scene::Scene::each); 0 where there is none, or [`UNDECIDED`].
     numbers: [u32; WIDTH],
 }
 
@@ -33,9 +36,9 @@ impl<S: Scalar, M: Default, const WIDTH: usize> Default for Row<S, M, WIDTH> {
 }
 
 impl<S: Scalar, M, const WIDTH: usize> Row<S, M, WIDTH> {
-    /// Returns the number of the nearest object in a column, 0 for none.
-    pub(super) fn number(&self, x: u32) -> u32 {
-        self.numbers.get(index(x)).copied().unwrap_or(0)
+    /// Returns the number of the nearest object in a column, 0 for none; nothing where that is undecided.
+    pub(super) fn number(&self, x: u32) -> Option<u32> {
+        self.numbers.get(index(x)).copied().filter(|number| *number != UNDECIDED)
     }
 
     /// Makes this row `y` of a picture, if it is not yet.
@@ -57,6 +60,14 @@ impl<S: Scalar, M, const WIDTH: usize> Row<S, M, WIDTH> {
     }
 }
 
+/// The number of a pixel where several objects are as near as can be told; which of them is seen is for [`Closest`] to say.
+pub(super) const UNDECIDED: u32 = u32::MAX;
+
+/// Returns the distance from which on an object is surely behind one at the distance `near`: as [`Closest`] has it.
+fn same_place<S: Scalar>(near: S) -> S {
+    near.at_one_place(S::ZERO, S::Unit::ratio(1, STEEPEST))
+}
+
 /// Puts one object after the other into a row.
 struct Fill<'r, S: Scalar, M, N, const WIDTH: usize> {
     row: &'r mut Row<S, M, WIDTH>,
@@ -76,9 +87,15 @@ impl<S: Scalar, M, N: Needs, const WIDTH: usize> Visit<S> for Fill<'_, S, M, N, 
             let row = self.row.nearest.iter_mut().zip(&mut self.row.numbers).zip(0..);
             for ((nearest, number), x) in row.take(index(columns.end)).skip(index(columns.start)) {
                 let ray = self.world.ray::<N>(self.columns.camera.eye, self.columns.direction(x));
-                if let Some(t) = object.intersect(&ray, *nearest) {
-                    (*nearest, *number) = (t, self.objects);
+                let end = if N::TRIANGLES || N::PLANES { same_place(*nearest) } else { *nearest };
+                let Some(t) = object.intersect(&ray, end) else { continue };
+                let (near, far) = if t < *nearest { (t, *nearest) } else { (*nearest, t) };
+                if (N::TRIANGLES || N::PLANES) && far < same_place(near) {
+                    *number = UNDECIDED;
+                } else if t < *nearest {
+                    *number = self.objects;
                 }
+                *nearest = near;
             }
         }
         ControlFlow::Continue(())

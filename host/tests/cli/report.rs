@@ -45,8 +45,11 @@ fn two_reports_differ_in_their_seconds_alone() {
     let ([first, spread], [second, spread_again]) =
         (report(folder.path(), "a"), report(folder.path(), "b/c"));
     assert_eq!(first.len(), 1 + 15 * 45);
-    // Two grids, sobol with points, four ways to cut and one to refine, lamps asked by cones, at fixed places and at changing ones, as far as 256 shadow rays.
-    assert_eq!((spread.len(), spread_again.len()), (1 + 15 + 4 + 1 + 5 + 4 + 3 + 5 + 4 + 3, spread.len()));
+    // Two grids, sobol with points, four ways to cut and one to refine, one cone over each pixel, lamps asked by cones, at fixed places and at changing ones, as far as 256 shadow rays.
+    assert_eq!(
+        (spread.len(), spread_again.len()),
+        (1 + 15 + 4 + 1 + 5 + 4 + 3 + 5 + 4 + 3 + 1, spread.len())
+    );
     let lasting = |row: &Vec<String>| row[..row.len() - 1].to_vec();
     for (first, second) in first.iter().zip(&second).chain(spread.iter().zip(&spread_again)) {
         assert_eq!(lasting(first), lasting(second));
