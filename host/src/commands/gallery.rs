@@ -16,7 +16,7 @@ use crate::commands::render;
 use crate::engine::progress::Progress;
 use crate::error::Error;
 use crate::picture::output::{self, Inputs, Output};
-use crate::study::{compare, figures, report};
+use crate::study::{compare, figures, report, visibility};
 
 pub mod check;
 pub mod list;
@@ -97,6 +97,11 @@ fn run_in(folder: &Path, command: &str, progress: &mut Option<Progress>) -> Resu
             *progress = None;
             args.output = folder.join(&args.output);
             Ok(figures::run(&args)?)
+        }
+        Command::Visibility(mut args) => {
+            args.scene = folder.join(&args.scene);
+            args.output = args.output.map(|output| folder.join(output));
+            Ok(visibility::picture(&args)?)
         }
         Command::Report(mut args) => {
             *progress = None;

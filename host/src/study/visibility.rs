@@ -21,7 +21,7 @@ use crate::args::{TracingArgs, VisibilityArgs};
 use crate::picture::device::Target;
 use crate::picture::error::PictureError;
 use crate::picture::file::{Caption, Displayed, Pixels};
-use crate::picture::output::{self, Failure, PictureOutput};
+use crate::picture::output::{self, Failure, Inputs, PictureOutput};
 use crate::picture::raster::Size;
 use crate::request::Request;
 use crate::request::scene_file::SceneFile;
@@ -64,6 +64,22 @@ const MOST_FACES: usize = 1 << 21;
 /// Those of reading the scene and of writing, [`StudyError::PictureToStdout`], [`StudyError::Raster`], [`StudyError::Visibility`], and [`StudyError::IdsDiffer`] once all is
 /// printed and written.
 pub fn run(args: &VisibilityArgs) -> Result<(), StudyError> {
+    compare(args, |text, inputs| Ok(output::print(text, inputs)?))
+}
+
+/// Writes the picture of ids alone.
+///
+/// # Errors
+/// Those of [`run`].
+pub fn picture(args: &VisibilityArgs) -> Result<(), StudyError> {
+    compare(args, |_, _| Ok(()))
+}
+
+/// Compares the algorithms, hands over the tables, and writes the picture.
+fn compare(
+    args: &VisibilityArgs,
+    tell: impl FnOnce(&str, &Inputs) -> Result<(), StudyError>,
+) -> Result<(), StudyError> {
     let picture = args.output.as_deref().map(|path| PictureOutput::open(path, None)).transpose()?;
     if picture.as_ref().is_some_and(PictureOutput::is_stdout) {
         return Err(StudyError::PictureToStdout);
@@ -105,7 +121,7 @@ pub fn run(args: &VisibilityArgs) -> Result<(), StudyError> {
         text += &("\n".to_owned() + &page::growth(&costs, &growth::crossings(&costs)));
         text += if is_equal { "all ids of all of them are equal\n" } else { "ids DIFFER\n" };
     }
-    output::print(&text, &scene.inputs)?;
+    tell(&text, &scene.inputs)?;
     if let Some((file_type, output)) = picture {
         let displayed = colored(&compared.ids, raster)?;
         let settings = format!("visible triangles, tessellate {rows}");

@@ -73,6 +73,10 @@ const DRAWN: &[(&str, &str)] = &[
     ),
     ("One vase four times", "rta render scenes/mesh.rta -o scenes/mesh.png --device none"),
     (
+        "The Juggler as triangles, each of a colour of its own",
+        "rta visibility scenes/juggler.dat -o scenes/visible.png --size 320x240",
+    ),
+    (
         "The four scenes without a device, on a VGA, with graPHIGS and with PIXRECT",
         "rta compare scenes/juggler.dat scenes/hall-22.dat scenes/glass-2.dat scenes/balls2.nff -o scenes/colors.png \
          --devices none,vga,graphigs,pixrect",
