@@ -11,6 +11,9 @@ const CLEAR: &str =
     "material clear  index 1.5  diffuse 0  specular .1  transmit .85  exponent 100  absorb .45 .85 .6\n";
 const GLAZE: &str = "material glaze  diffuse .8  specular .15  exponent 40\n";
 
+const LAMP: &str =
+    "quad 1.4 2.6 2.98  2.6 2.6 2.98  2.6 1.4 2.98  1.4 1.4 2.98  patches 2 2  color .8 .8 .8  of shade\n";
+
 /// The scene with other lines in the place of some of its own.
 #[derive(Clone, Copy, Debug)]
 pub struct Variant {
@@ -59,8 +62,14 @@ pub const ROUGH: Variant = Variant {
     lines: &[[METAL, "material metal  diffuse .2  specular .7  exponent 200  roughness .2\n"]],
 };
 
+/// The lamp is a ball, as bright straight below as the flat one.
+pub const ROUND: Variant = Variant {
+    name: "techniques-round",
+    lines: &[[LAMP, "lamp at 2 2 2.6  radius .35  power 6.9  color 1 .93 .84\n"]],
+};
+
 /// All of them.
-pub const ALL: [Variant; 5] = [PLAIN, MATTE, MAPPED, DENTED, ROUGH];
+pub const ALL: [Variant; 6] = [PLAIN, MATTE, MAPPED, DENTED, ROUGH, ROUND];
 
 impl Variant {
     /// Returns the scene as a text in the language `.rta`.

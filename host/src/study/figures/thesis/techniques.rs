@@ -3,7 +3,7 @@
 //! Of the thesis's own table the project knows no more than three of its rows, by what is misprinted in them
 //! ([`Technique::printed`]). The others are the techniques that its chapters 1 to 3 review.
 
-use super::room::{DENTED, MAPPED, MATTE, PLAIN, ROUGH, Variant};
+use super::room::{DENTED, MAPPED, MATTE, PLAIN, ROUGH, ROUND, Variant};
 use super::technique::{Against, Shade, Technique, Way};
 
 /// A picture of the scene as it is shipped, against paths.
@@ -194,15 +194,15 @@ pub const ALL: &[Technique] = &[
         printed: None,
         way: traced("--lamps cone --samples 16"),
     },
-    // The line of `--integrator cones`: way: traced("--integrator cones --lamps cone") once the program has it.
     Technique {
         name: "cones",
         year: 1984,
         title: "Cones from the eye",
         paper: "J. Amanatides, \"Ray Tracing with Cones\", SIGGRAPH 84",
-        words: "Reflected and refracted cones too, so that one ray a pixel has no stairs.",
+        words: "One cone over each pixel, and reflected and refracted ones: no stairs, and no samples. Cones know no flat lamp, so that the room \
+                has a ball for one here, and no error is told. What they get wrong is a figure of the first page.",
         printed: None,
-        way: Way::Absent("The program does not have it: its cones go to lamps alone."),
+        way: varied(ROUND, "--integrator cones", Against::Nothing),
     },
     Technique {
         name: "cook-porter-carpenter",
