@@ -84,8 +84,10 @@ impl<S: Scalar, M, N: Needs, const WIDTH: usize> Visit<S> for Fill<'_, S, M, N, 
             // A list has fewer than 2^32 objects.
             self.objects = self.objects.saturating_add(1);
             let columns = if P::IS_FINITE { self.columns.of(&object.look()) } else { self.columns.all() };
-            let row = self.row.nearest.iter_mut().zip(&mut self.row.numbers).zip(0..);
-            for ((nearest, number), x) in row.take(index(columns.end)).skip(index(columns.start)) {
+            let range = index(columns.start)..index(columns.end);
+            let nearest = self.row.nearest.get_mut(range.clone()).unwrap_or_default();
+            let numbers = self.row.numbers.get_mut(range).unwrap_or_default();
+            for (x, (nearest, number)) in columns.zip(nearest.iter_mut().zip(numbers)) {
                 let ray = self.world.ray::<N>(self.columns.camera.eye, self.columns.direction(x));
                 let end = if N::TRIANGLES || N::PLANES { same_place(*nearest) } else { *nearest };
                 let Some(t) = object.intersect(&ray, end) else { continue };

@@ -19,7 +19,7 @@ use crate::request::error::RequestError;
 use crate::request::scene_file::SceneFile;
 use crate::study::error::StudyError;
 use crate::study::report::measure::Difference;
-use pictures::{PICTURES, Picture};
+use pictures::{PICTURES, Picture, SIZE};
 use pixels::CASES;
 
 pub mod page;
@@ -137,7 +137,7 @@ pub fn pixel(text: &str) -> Result<Pixel, StudyError> {
 pub fn study(stop: &AtomicBool) -> Result<Study, StudyError> {
     let pool = bands::pool(None)?;
     let pixels = CASES.iter().map(|case| pixel(&case.text())).collect::<Result<_, _>>()?;
-    let ways = |picture| ways(picture, (picture.size, REFERENCE), &pool, stop);
+    let ways = |picture| ways(picture, (SIZE, REFERENCE), &pool, stop);
     Ok(Study { pixels, pictures: PICTURES.iter().map(ways).collect::<Result<_, _>>()? })
 }
 

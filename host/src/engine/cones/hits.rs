@@ -34,8 +34,6 @@ pub struct Hits {
     pub met: Vec<Met>,
     /// The part that is left of the cone behind all of them.
     pub left: f64,
-    /// How many more things are in the cone.
-    pub crowded: usize,
 }
 
 /// A scene whose things are looked for in cones.
@@ -68,9 +66,7 @@ impl Search<'_> {
         sort(&mut met, |object, ray| self.distance(object, ray));
         seen(met)
     }
-}
 
-impl Search<'_> {
     /// Returns the distance at which a ray meets a thing, if it does.
     fn distance(&self, object: Object, ray: &Ray<f64>) -> Option<f64> {
         struct Meeting<'r>(&'r Ray<f64>, Option<f64>);
@@ -225,10 +221,9 @@ impl Visit<f64> for Found<'_> {
 /// Tells how much is seen of each thing, of what a cone meets from near to far: faces of one body beside each other, and what is left by
 /// different bodies as if it were left by chance.
 fn seen(mut met: Vec<Met>) -> Hits {
-    let crowded = met.len().saturating_sub(MOST);
     let behind: f64 = met.iter().skip(MOST).map(|met| met.part).sum();
     met.truncate(MOST);
-    if let Some(last) = met.last_mut().filter(|_| crowded > 0) {
+    if let Some(last) = met.last_mut() {
         last.part = (last.part + behind).min(1.0);
     }
     // What each body covers so far, by its faces that are seen from the front, and from behind.
@@ -254,5 +249,5 @@ fn seen(mut met: Vec<Met>) -> Hits {
         }
     }
     met.retain(|met| met.seen > 0.0);
-    Hits { met, left, crowded }
+    Hits { met, left }
 }

@@ -9,9 +9,10 @@ pub struct Picture {
     pub about: &'static str,
     /// Its text.
     pub text: &'static str,
-    /// Width and height in pixels.
-    pub size: [u32; 2],
 }
+
+/// Width and height of the pictures in pixels.
+pub const SIZE: [u32; 2] = [96, 72];
 
 /// The scenes.
 pub const PICTURES: &[Picture] = &[
@@ -19,17 +20,15 @@ pub const PICTURES: &[Picture] = &[
         title: "edges",
         about: "balls before each other, tiles up to the horizon, shadows of a lamp without a radius",
         text: EDGES,
-        size: [96, 72],
     },
     Picture {
         title: "mirrors",
         about: "a mirror, balls that are mirrors, and what they mirror",
         text: MIRRORS,
-        size: [96, 72],
     },
-    Picture { title: "glass", about: "a ball, a pane and a box of glass", text: GLASS, size: [96, 72] },
-    Picture { title: "gloss", about: "a rough mirror and rough glass", text: GLOSS, size: [96, 72] },
-    Picture { title: "penumbra", about: "soft shadows of two things", text: PENUMBRA, size: [96, 72] },
+    Picture { title: "glass", about: "a ball, a pane and a box of glass", text: GLASS },
+    Picture { title: "gloss", about: "a rough mirror and rough glass", text: GLOSS },
+    Picture { title: "penumbra", about: "soft shadows of two things", text: PENUMBRA },
 ];
 
 const EDGES: &str = "\

@@ -13,7 +13,7 @@ use crate::picture::frame::Frame;
 use crate::picture::raster::Size;
 use crate::request::Request;
 use crate::request::scene_file::SceneFile;
-use crate::study::cones::pictures::{PICTURES, Picture};
+use crate::study::cones::pictures::{PICTURES, Picture, SIZE};
 use crate::study::cones::rays;
 use crate::study::error::StudyError;
 use crate::study::palette::traced::Traced;
@@ -33,7 +33,7 @@ pub(super) fn sheet(tracing: &Tracing) -> Result<Displayed, StudyError> {
 
 /// Returns one scene by a cone, a ray and many rays a pixel, and the difference.
 fn row(picture: &Picture, tracing: &Tracing) -> Result<Frame, StudyError> {
-    let [width, height] = picture.size;
+    let [width, height] = SIZE;
     let size = Size::clamped(width, height);
     let scene = SceneFile::of_text(picture.title, picture.text, Reading::default())?;
     let plain = Request::of_scene(&TracingArgs::default(), Target::None, &scene)?;
