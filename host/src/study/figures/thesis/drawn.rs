@@ -10,10 +10,9 @@ use rta_core::color::Rgb;
 use super::room::{PLAIN, Variant};
 use super::technique::{Against, LENS, Technique, Way};
 use super::{Fineness, Tracing};
-use crate::args::radiosity::{Factors, Method};
 use crate::args::{Cli, Command, RadiosityArgs, RenderArgs};
 use crate::engine::Engine;
-use crate::engine::radiosity::{self, Solved};
+use crate::engine::radiosity;
 use crate::picture::device::Target;
 use crate::picture::output::{Inputs, write_text};
 use crate::picture::raster::Size;
@@ -60,7 +59,7 @@ pub struct Cost {
     pub rays: u64,
     /// Whether they are steps: looks at one thing each, as `rta visibility` counts them.
     pub is_steps: bool,
-    /// Rays from patch to patch with which light was solved before.
+    /// Rays with which light was solved before.
     pub solving: u64,
     /// CPU seconds on one thread, all together.
     pub seconds: f64,
@@ -235,7 +234,7 @@ pub(super) fn drawn(
     }
 }
 
-/// Solves for light as a command of `rta radiosity` does, keeps it in its file, and returns the rays between patches and the seconds.
+/// Solves for light as a command of `rta radiosity` does, keeps it in its file, and returns the rays and the seconds that it takes.
 fn solve(scene: Variant, command: &str, folder: &Path, tracing: &Tracing) -> Result<(u64, f64), StudyError> {
     let Command::Radiosity(args) = parsed(command)? else {
         return Err(StudyError::Figure { name: "thesis", source: command.into() });
@@ -252,24 +251,5 @@ fn solve(scene: Variant, command: &str, folder: &Path, tracing: &Tracing) -> Res
         let text = solution::text(&solved.solution, &scene.description);
         write_text(&folder.join(file), &text, Inputs::NONE)?;
     }
-    Ok((rays(&solved, method), seconds))
-}
-
-/// Returns the rays from patch to patch of a solution, without those that ask what emits.
-#[must_use]
-fn rays(solved: &Solved, method: Method) -> u64 {
-    let patches = solved.radiosity.len() as u64;
-    let each = match solved.factors {
-        Factors::Exact => 0,
-        Factors::Rays(count) => u64::from(count),
-        // On top, and on four sides that are half as high.
-        Factors::HemiCube(side) => 3 * u64::from(side) * u64::from(side),
-    };
-    match method {
-        // Once more for what is gathered in the end.
-        Method::Gather => patches * each * u64::from(solved.rounds + 1),
-        Method::Seidel | Method::Gauss => patches * each,
-        // Four from each receiver for a shot.
-        Method::Shoot => 4 * patches * u64::from(solved.rounds),
-    }
+    Ok((solved.rays, seconds))
 }

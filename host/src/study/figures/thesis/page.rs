@@ -24,7 +24,7 @@ glazed ball, a ball of green glass.</p>
 <p>The <b>error</b> is the root of the mean square of the differences of linear light, cut to 0 to 1, over all pixels and registers, from
 <a href=\"#paths\">paths of light</a>, which have all that surfaces send each other. An old technique is not wrong because its error is
 large: it leaves out what it never set out to find, and in its place has an ambient term that somebody chose (0.3 here). The
-<b>cost</b> is counted: rays of all kinds, for radiosity those from patch to patch before (+), and for algorithms without rays the steps of
+<b>cost</b> is counted: rays of all kinds, for radiosity those of solving before (+), and for algorithms without rays the steps of
 <code>rta visibility</code>. It is the same in every run. <b>Seconds</b> are of this machine, one thread. All traced pictures but those whose
 words say otherwise have 16 samples a pixel and the lamp as one place in its middle, so that neither stairs nor noise are counted as
 light.</p>
