@@ -50,10 +50,21 @@ pub fn bands<T: Clone + Default + Send, E: From<BandsError>>(
     trace: impl Fn(u32, &mut [T]) + Sync,
     mut deliver: impl FnMut(u32, Vec<T>) -> Result<(), E>,
 ) -> Result<(), E> {
+    share(size, pool, stop, &trace, &mut deliver)
+}
+
+/// [`bands`], compiled once for each kind of pixel and not once for each caller: a call through a pointer for each band costs
+/// nothing beside tracing it.
+fn share<T: Clone + Default + Send, E: From<BandsError>>(
+    size: Size,
+    pool: &ThreadPool,
+    stop: &AtomicBool,
+    trace: &(dyn Fn(u32, &mut [T]) + Sync),
+    deliver: &mut dyn FnMut(u32, Vec<T>) -> Result<(), E>,
+) -> Result<(), E> {
     let rows = (BAND_PIXELS / size.width()).clamp(1, size.height());
     let abandoned = AtomicBool::new(false);
-    let (trace, ended) = (&trace, || stop.load(Ordering::Relaxed) || abandoned.load(Ordering::Relaxed));
-    let ended = &ended;
+    let ended = &|| stop.load(Ordering::Relaxed) || abandoned.load(Ordering::Relaxed);
     pool.in_place_scope(|scope| {
         // Bounded, so that a slow delivery holds up the work and does not gather a picture.
         let (sender, receiver) = mpsc::sync_channel(4 * pool.current_num_threads());

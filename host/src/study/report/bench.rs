@@ -172,7 +172,7 @@ impl<S: picture::Format> Bench for Ready<S> {
             }
             (pixels, rays)
         };
-        let rows: Vec<_> = lattice.rows().into_par_iter().map(row).collect();
+        let rows = in_parallel(lattice, &row);
         let picture = |at: usize| -> Picture {
             rows.iter()
                 .flat_map(|(pixels, _)| pixels.iter().filter_map(|pixel| pixel.get(at).copied()))
@@ -205,8 +205,7 @@ impl<S: picture::Format> Bench for Ready<S> {
             };
             lattice.row(y).map(pixel).collect::<Vec<_>>()
         };
-        let rows = lattice.rows().into_par_iter().with_max_len(1);
-        Ok(rows.flat_map_iter(row).collect())
+        Ok(in_parallel(lattice, &row).concat())
     }
 
     fn time(&self, limit: Limit, sampling: Sampling, raster: Raster) -> Result<Duration, EngineError> {
@@ -217,6 +216,11 @@ impl<S: picture::Format> Bench for Ready<S> {
         core::hint::black_box(light);
         Ok(time)
     }
+}
+
+/// Returns what `row` makes of each of a lattice's rows, on all threads. Compiled once for all formats: what it calls is behind a pointer.
+fn in_parallel<T: Send>(lattice: Lattice, row: &(dyn Fn(u32) -> T + Sync)) -> Vec<T> {
+    lattice.rows().into_par_iter().with_max_len(1).map(row).collect()
 }
 
 /// Adds a sample to a pixel. What a display cannot show of a single sample is cut off here too, as of several.
