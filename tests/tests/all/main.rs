@@ -7,7 +7,6 @@
 //! `accuracy`, `baseline` and `deterministic` are programs of their own: they are also run alone, and in release.
 
 mod analytic;
-mod baked;
 mod bounds;
 mod branches;
 mod bvh;
@@ -16,7 +15,6 @@ mod circles;
 mod coats;
 mod corners;
 mod devices;
-mod drawn;
 mod edges;
 mod examples;
 mod extremes;
@@ -44,7 +42,6 @@ mod single_rays;
 mod solid_cases;
 mod solids;
 mod spectral;
-mod spread;
 mod stability;
 mod stack;
 mod thin;

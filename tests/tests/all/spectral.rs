@@ -13,8 +13,7 @@ use rta_core::vector::{UnitVec3, Vector};
 use rta_scenes::description::Description;
 use rta_scenes::narrow::{Narrow, narrow};
 use rta_tests::assert_close;
-
-use super::baked::{SMALL, by_engine};
+use rta_tests::picture::{SMALL, by_engine};
 
 const PRISM: &str = include_str!("../../../scenes/prism.rta");
 

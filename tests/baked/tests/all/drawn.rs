@@ -5,8 +5,9 @@
 
 use rta::engine::Settings;
 use rta_scenes::bake::TEXELS;
+use rta_tests::picture::{Bits, SMALL, by_engine};
 
-use super::baked::{Picture, SMALL, by_engine, draw_spectrum};
+use super::baked::draw_spectrum;
 
 /// Makes the test of a baked scene, by the name of its module and the text of its scene file.
 macro_rules! drawn {
@@ -34,9 +35,9 @@ macro_rules! drawn {
 
 include!(concat!(env!("OUT_DIR"), "/drawn.rs"));
 
-fn check(text: &str, got: &Picture) {
+fn check(text: &str, got: &Bits) {
     let mut scene = rta_scenes::read(text.as_bytes(), "models.rta").expect("it was baked");
-    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/scenes");
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../scenes");
     scene.load_pictures(folder.as_ref(), TEXELS).expect("they were baked");
     let settings = Settings { model: scene.model, ..SMALL };
     let want = by_engine(&scene, &settings);

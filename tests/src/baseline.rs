@@ -1,4 +1,4 @@
-//! No picture changes unnoticed: hashes of every shipped scene, and of small versions of the Standard Procedural
+//! Whether a picture has changed: hashes of every shipped scene, and of small versions of the Standard Procedural
 //! Databases, in all number formats and illumination models.
 //!
 //! `RTA_BLESS=1 cargo test -p rta-tests --test baseline` records in `tests/baseline.csv` what is drawn now.
@@ -7,7 +7,7 @@ use core::fmt::Write;
 use core::sync::atomic::{AtomicUsize, Ordering};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
-use std::{env, fs, thread};
+use std::{fs, thread};
 
 use rta::engine::{Format, Model};
 use rta_scenes::description::Description;
@@ -118,18 +118,16 @@ fn recorded(csv: &str) -> BTreeMap<String, String> {
     pictures
 }
 
-#[test]
-fn no_picture_has_changed() {
-    let path = root().join("tests/baseline.csv");
-    let rows = draw();
-    if env::var_os("RTA_BLESS").is_some_and(|value| !value.is_empty() && value != "0") {
-        fs::write(&path, csv(&rows)).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
-        return;
-    }
+/// Draws all pictures, and returns what is told of each that differs from its hash in `tests/baseline.csv`.
+///
+/// # Panics
+/// A scene file or the file of hashes cannot be read.
+pub fn differences() -> Vec<String> {
+    let path = recorded_at();
     let file = fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
     let mut recorded = recorded(&file);
     let mut wrong = Vec::new();
-    for (name, format, model, hashes) in rows {
+    for (name, format, model, hashes) in draw() {
         for (setting, got) in SETTINGS.into_iter().zip(hashes.map(text)) {
             let picture = picture(&name, &format.to_string(), &model.to_string(), setting);
             match recorded.remove(&picture) {
@@ -140,5 +138,18 @@ fn no_picture_has_changed() {
         }
     }
     wrong.extend(recorded.into_keys().map(|picture| format!("{picture}: recorded, not drawn")));
-    assert!(wrong.is_empty(), "{} pictures differ:\n{}", wrong.len(), wrong.join("\n"));
+    wrong
+}
+
+/// Draws all pictures, and records their hashes in `tests/baseline.csv`.
+///
+/// # Panics
+/// A scene file cannot be read, or the file of hashes cannot be written.
+pub fn record() {
+    let path = recorded_at();
+    fs::write(&path, csv(&draw())).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+}
+
+fn recorded_at() -> PathBuf {
+    root().join("tests/baseline.csv")
 }

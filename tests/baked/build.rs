@@ -11,14 +11,14 @@ use rta_scenes::sampler::{Lamps, Spreading};
 
 /// Scene files, and the name of each in Rust.
 const SCENES: [(&str, &str); 3] = [
-    ("juggler", "../scenes/juggler.dat"),
-    ("hall_22", "../scenes/hall-22.dat"),
-    ("glass_2", "../scenes/glass-2.dat"),
+    ("juggler", "../../scenes/juggler.dat"),
+    ("hall_22", "../../scenes/hall-22.dat"),
+    ("glass_2", "../../scenes/glass-2.dat"),
 ];
 
 fn main() -> Result<(), Box<dyn Error>> {
     // Writes juggler.rs.
-    bake("../scenes/juggler.dat", Format::Q16)?;
+    bake("../../scenes/juggler.dat", Format::Q16)?;
 
     for (name, file) in SCENES {
         for (suffix, format) in [("q16", Format::Q16), ("q20", Format::Q20), ("f32", Format::F32)] {
@@ -26,29 +26,29 @@ fn main() -> Result<(), Box<dyn Error>> {
         }
     }
     // A scene without secondary rays, and one with another model.
-    write("opaque_q16", "boards/scenes/opaque.dat", &Recipe::new(Format::Q16))?;
+    write("opaque_q16", "../boards/scenes/opaque.dat", &Recipe::new(Format::Q16))?;
     write(
         "whitted_q16",
-        "../scenes/hall-22.dat",
+        "../../scenes/hall-22.dat",
         &Recipe { model: Model::Whitted, ..Recipe::new(Format::Q16) },
     )?;
     for (suffix, format) in [("q16", Format::Q16), ("f32", Format::F32)] {
-        write(&format!("tiles_{suffix}"), "scenes/tiles.rta", &Recipe::new(format))?;
+        write(&format!("tiles_{suffix}"), "../scenes/tiles.rta", &Recipe::new(format))?;
     }
     // Triangles, cones, and a hierarchy, which is baked only where there are many objects.
     for (suffix, format) in [("q16", Format::Q16), ("f32", Format::F32)] {
         let recipe = Recipe { model: Model::Whitted, ..Recipe::new(format) };
-        write(&format!("solids_{suffix}"), "scenes/solids.nff", &recipe)?;
-        write(&format!("kinds_{suffix}"), "scenes/kinds.nff", &recipe)?;
-        write(&format!("balls_2_{suffix}"), "../scenes/balls2.nff", &recipe)?;
+        write(&format!("solids_{suffix}"), "../scenes/solids.nff", &recipe)?;
+        write(&format!("kinds_{suffix}"), "../scenes/kinds.nff", &recipe)?;
+        write(&format!("balls_2_{suffix}"), "../../scenes/balls2.nff", &recipe)?;
     }
-    write("glass_2_f64", "../scenes/glass-2.dat", &Recipe::new(Format::F64))?;
+    write("glass_2_f64", "../../scenes/glass-2.dat", &Recipe::new(Format::F64))?;
     write_drawn()?;
     write_spread()
 }
 
 /// The scene of everything that spreads rays.
-const SPREAD: &str = "boards/scenes/spread.rta";
+const SPREAD: &str = "../boards/scenes/spread.rta";
 
 /// Few things, of which none spreads rays; what the scenes of some that do have besides, how lamps are asked, and the number format.
 const ROOM: &str = "rta 1
@@ -161,11 +161,11 @@ const CHOICES: [&str; 22] = [
 ];
 
 /// Scenes with coats, and one of several wavelengths.
-const SURFACES: [&str; 2] = ["scenes/surfaces.rta", "scenes/wavelengths.rta"];
+const SURFACES: [&str; 2] = ["../scenes/surfaces.rta", "../scenes/wavelengths.rta"];
 
 /// Bakes the scene `models.rta` with every model, and with each choice, and writes the tests of `tests/all/drawn.rs`.
 fn write_drawn() -> Result<(), Box<dyn Error>> {
-    const FILE: &str = "scenes/models.rta";
+    const FILE: &str = "../scenes/models.rta";
     println!("cargo::rerun-if-changed={FILE}");
     let scene = fs::read_to_string(FILE)?;
     let names = Model::ALL.iter().map(|model| model.name());
@@ -178,7 +178,7 @@ fn write_drawn() -> Result<(), Box<dyn Error>> {
     for (number, text) in texts.iter().enumerate() {
         let name = format!("drawn_{number}");
         let mut read = rta_scenes::read(text.as_bytes(), "models.rta")?;
-        read.load_pictures("scenes".as_ref(), TEXELS)?;
+        read.load_pictures("../scenes".as_ref(), TEXELS)?;
         let recipe = Recipe { model: read.model, ..Recipe::new(Format::Q16) };
         fs::write(out()?.join(&name).with_extension("rs"), module(&read, &name, &recipe)?)?;
         tests += &format!("drawn! {{ {name}: {text:?} }}\n");

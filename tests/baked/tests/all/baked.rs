@@ -3,7 +3,7 @@
 
 use core::fmt::Debug;
 
-use rta::engine::{Engine, Format, Model, Settings};
+use rta::engine::{Format, Model, Settings};
 use rta_core::accelerator::Accelerator;
 use rta_core::camera::Camera;
 use rta_core::color::Rgb;
@@ -17,9 +17,7 @@ use rta_scenes::bake;
 use rta_scenes::description::Description;
 use rta_scenes::narrow::{Narrow, narrow};
 use rta_scenes::used;
-
-/// Recursion depth.
-pub(super) const DEPTH: u32 = 5;
+use rta_tests::picture::{Bits, SMALL, bits, by_engine};
 
 /// Capacity of the stack of pending rays: no more than a firmware would reserve for this depth.
 pub(super) const STACK: usize = 5;
@@ -51,40 +49,28 @@ macro_rules! baked {
 }
 
 baked! {
-    juggler: "../scenes/juggler.dat", Q16, Rta, Rta;
-    juggler_q16: "../scenes/juggler.dat", Q16, Rta, Rta;
-    juggler_q20: "../scenes/juggler.dat", Q20, Rta, Rta;
-    juggler_f32: "../scenes/juggler.dat", F32, Rta, Rta;
-    hall_22_q16: "../scenes/hall-22.dat", Q16, Rta, Rta;
-    hall_22_q20: "../scenes/hall-22.dat", Q20, Rta, Rta;
-    hall_22_f32: "../scenes/hall-22.dat", F32, Rta, Rta;
-    glass_2_q16: "../scenes/glass-2.dat", Q16, Rta, Rta;
-    glass_2_q20: "../scenes/glass-2.dat", Q20, Rta, Rta;
-    glass_2_f32: "../scenes/glass-2.dat", F32, Rta, Rta;
-    glass_2_f64: "../scenes/glass-2.dat", F64, Rta, Rta;
-    opaque_q16: "boards/scenes/opaque.dat", Q16, Rta, Rta;
-    whitted_q16: "../scenes/hall-22.dat", Q16, Whitted, Whitted::default();
-    tiles_q16: "scenes/tiles.rta", Q16, Rta, Rta;
-    tiles_f32: "scenes/tiles.rta", F32, Rta, Rta;
-    solids_q16: "scenes/solids.nff", Q16, Phong, Phong::default();
-    solids_f32: "scenes/solids.nff", F32, Phong, Phong::default();
-    kinds_q16: "scenes/kinds.nff", Q16, Phong, Phong::default();
-    kinds_f32: "scenes/kinds.nff", F32, Phong, Phong::default();
-    balls_2_q16: "../scenes/balls2.nff", Q16, Phong, Phong::default();
-    balls_2_f32: "../scenes/balls2.nff", F32, Phong, Phong::default();
+    juggler: "../../scenes/juggler.dat", Q16, Rta, Rta;
+    juggler_q16: "../../scenes/juggler.dat", Q16, Rta, Rta;
+    juggler_q20: "../../scenes/juggler.dat", Q20, Rta, Rta;
+    juggler_f32: "../../scenes/juggler.dat", F32, Rta, Rta;
+    hall_22_q16: "../../scenes/hall-22.dat", Q16, Rta, Rta;
+    hall_22_q20: "../../scenes/hall-22.dat", Q20, Rta, Rta;
+    hall_22_f32: "../../scenes/hall-22.dat", F32, Rta, Rta;
+    glass_2_q16: "../../scenes/glass-2.dat", Q16, Rta, Rta;
+    glass_2_q20: "../../scenes/glass-2.dat", Q20, Rta, Rta;
+    glass_2_f32: "../../scenes/glass-2.dat", F32, Rta, Rta;
+    glass_2_f64: "../../scenes/glass-2.dat", F64, Rta, Rta;
+    opaque_q16: "../boards/scenes/opaque.dat", Q16, Rta, Rta;
+    whitted_q16: "../../scenes/hall-22.dat", Q16, Whitted, Whitted::default();
+    tiles_q16: "../scenes/tiles.rta", Q16, Rta, Rta;
+    tiles_f32: "../scenes/tiles.rta", F32, Rta, Rta;
+    solids_q16: "../scenes/solids.nff", Q16, Phong, Phong::default();
+    solids_f32: "../scenes/solids.nff", F32, Phong, Phong::default();
+    kinds_q16: "../scenes/kinds.nff", Q16, Phong, Phong::default();
+    kinds_f32: "../scenes/kinds.nff", F32, Phong, Phong::default();
+    balls_2_q16: "../../scenes/balls2.nff", Q16, Phong, Phong::default();
+    balls_2_f32: "../../scenes/balls2.nff", F32, Phong, Phong::default();
 }
-
-/// A small raster on the screen of 4 : 3 that the scenes are baked for.
-pub(super) const SMALL: Settings = Settings {
-    width: 64,
-    height: 40,
-    aspect: 4.0 / 3.0,
-    format: Format::Q16,
-    model: Model::Rta,
-    depth: DEPTH,
-    cutoff: None,
-    sampling: rta_scenes::sampler::Sampler::CENTER,
-};
 
 /// Reads a scene file, named from the folder of this package.
 fn read(file: &str) -> Description {
@@ -116,18 +102,11 @@ fn is_scene<S: Narrow, N: Needs>(
     }
 }
 
-/// A picture as the bits of its light, and as levels of a VGA.
-pub(super) type Picture = (Vec<[u32; 3]>, Vec<Rgb<u8>>);
-
-fn bits(light: Rgb<f32>) -> [u32; 3] {
-    [light.r, light.g, light.b].map(f32::to_bits)
-}
-
 pub(super) fn draw<S: Narrow, M: Illumination<S>, N: Needs>(
     scene: &Admitted<'_, S, impl Accelerator<S>>,
     camera: &Camera<S>,
     model: M,
-) -> Picture {
+) -> Bits {
     let tracer: Tracer<_, _, N, STACK, _> =
         Tracer::new(scene, model, SMALL.depth).expect("the stack is deep enough");
     picture(&tracer, camera, Center)
@@ -140,7 +119,7 @@ pub(super) fn draw_spectrum<S: Narrow, M: Illumination<S> + Copy, A: Accelerator
     (model, models): (M, &[M]),
     scenes: &[Admitted<'_, S, A>],
     (weights, dispersive): (&[Rgb<S::Unit>], &[u16]),
-) -> Picture {
+) -> Bits {
     let tracer = |(scene, model): (_, &M)| -> Tracer<_, M, N, STACK, A> {
         Tracer::new(scene, *model, SMALL.depth).expect("the stack is deep enough")
     };
@@ -152,7 +131,7 @@ pub(super) fn draw_spectrum<S: Narrow, M: Illumination<S> + Copy, A: Accelerator
     picture(&Spectrum { weights, first, further: &further, dispersive }, camera, Center)
 }
 
-pub(super) fn picture<S: Narrow>(tracer: &impl Trace<S>, camera: &Camera<S>, places: impl Places) -> Picture {
+pub(super) fn picture<S: Narrow>(tracer: &impl Trace<S>, camera: &Camera<S>, places: impl Places) -> Bits {
     let raster = Raster::new(SMALL.width, SMALL.height).expect("a raster");
     let light: Vec<_> = Pixels::sampled(tracer, camera, raster, places, 0, raster.height()).collect();
     // Fixed point below 256 is exact in f32, and f64 is rounded as by the engine.
@@ -162,19 +141,10 @@ pub(super) fn picture<S: Narrow>(tracer: &impl Trace<S>, camera: &Camera<S>, pla
     (linear, light.iter().map(|light| light.levels(63)).collect())
 }
 
-pub(super) fn by_engine(scene: &Description, settings: &Settings) -> Picture {
-    let engine = Engine::new(scene, settings).expect("it was baked");
-    let pixels = settings.width as usize * settings.height as usize;
-    let (mut linear, mut levels) = (vec![Rgb::new(0.0, 0.0, 0.0); pixels], vec![Rgb::new(0, 0, 0); pixels]);
-    engine.linear_rows(0, &mut linear);
-    engine.level_rows(0, 63, &mut levels);
-    (linear.into_iter().map(bits).collect(), levels)
-}
-
 #[test]
 fn a_build_script_and_the_program_bake_the_same() {
     let recipe = bake::Recipe::new(bake::Format::Q16);
-    let source = bake::module(&read("../scenes/juggler.dat"), "../scenes/juggler.dat", &recipe);
+    let source = bake::module(&read("../../scenes/juggler.dat"), "../../scenes/juggler.dat", &recipe);
     let baked = include_str!(concat!(env!("OUT_DIR"), "/juggler.rs"));
     assert!(source.expect("it was baked") == baked);
 }

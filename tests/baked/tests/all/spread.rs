@@ -18,8 +18,9 @@ use rta_core::trace::{Distributed, Tracer};
 use rta_scenes::bake::SAMPLES;
 use rta_scenes::narrow::Narrow;
 use rta_scenes::sampler::{Lamps, Sampler, Spreading};
+use rta_tests::picture::{Bits, SMALL, by_engine};
 
-use super::baked::{DEPTH, Picture, SMALL, STACK, by_engine, picture};
+use super::baked::{STACK, picture};
 
 /// Makes the test of a baked scene, by the name of its module, its number format, how its lamps are asked, and the text of its scene file.
 macro_rules! spread {
@@ -52,9 +53,9 @@ fn draw<S: Narrow, M: Illumination<S> + Copy, A: Accelerator<S>, N: Needs, R: Ro
     model: M,
     samples: Sobol,
     (spread, motions): (&Spread<'_, S>, &[Motion<S>]),
-) -> Picture {
+) -> Bits {
     let tracer: Tracer<_, _, N, STACK, _> =
-        Tracer::new(scene, model, DEPTH).expect("the stack is deep enough");
+        Tracer::new(scene, model, SMALL.depth).expect("the stack is deep enough");
     let still = Distributed { tracer, spread, seed: samples.seed() };
     if motions.is_empty() && spread.eye.is_none() {
         return picture(&still, camera, samples);
@@ -62,7 +63,7 @@ fn draw<S: Narrow, M: Illumination<S> + Copy, A: Accelerator<S>, N: Needs, R: Ro
     picture(&Moving { still, motions, room: PhantomData::<fn() -> R> }, camera, samples)
 }
 
-fn check(text: &str, (format, lamps): (Format, Lamps), got: &Picture) {
+fn check(text: &str, (format, lamps): (Format, Lamps), got: &Bits) {
     let scene = rta_scenes::read(text.as_bytes(), "spread.rta").expect("it was baked");
     let spreading = Spreading::of(&scene, lamps, SAMPLES).expect("rays are spread");
     let settings = Settings { format, model: scene.model, sampling: Sampler::Sobol(spreading), ..SMALL };

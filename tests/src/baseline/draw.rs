@@ -16,7 +16,7 @@ use rta_scenes::description::Description;
 use rta_scenes::fit::{Fitted, fit};
 use rta_scenes::in_format;
 
-use rta_tests::exact::fnv1a;
+use crate::exact::fnv1a;
 
 /// Width and height of the pictures in pixels. The width is no multiple of 4, so that packets of four pixels end early.
 pub(super) const SIZE: (u32, u32) = (46, 35);
