@@ -113,7 +113,7 @@ impl Work {
         let [input, width, height] =
             [format!("+I{input}"), format!("+W{}", size.width()), format!("+H{}", size.height())];
         let mut words = vec![&*input, "+Otheirs.ppm", "+FP16", "File_Gamma=1.0", "+WT1"];
-        let refined = smoothing.map(|(threshold, depth)| [format!("+A{threshold}"), format!("+R{depth}")]);
+        let refined = smoothing.map(|(threshold, depth)| [format!("+A{threshold:?}"), format!("+R{depth}")]);
         match &refined {
             Some(refined) => words.extend(refined.iter().map(String::as_str).chain(["+AM2"])),
             None => words.push("-A"),
