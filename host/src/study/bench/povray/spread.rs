@@ -66,11 +66,12 @@ impl File<'_> {
         // What is sharp is as many focal distances away as the shift goes into the radius.
         let sharp = eye + forward * (aperture.radius / aperture.shift);
         let (samples, confidence, variance) = spread.lens;
-        // Its aperture is a diameter.
+        // Its rays start within a quarter of its aperture: so converged pictures are nearest to rta's (scenes/lens.rta at 32 x 24: .014 apart, and
+        // .037 with half of it).
         format!(
             " focal_point {} aperture {:?} blur_samples {samples} confidence {confidence:?} variance {variance:?}",
             vector([sharp.x(), sharp.y(), sharp.z()]),
-            2.0 * aperture.radius
+            4.0 * aperture.radius
         )
     }
 }
