@@ -70,7 +70,7 @@ pub struct Pending<S: Scalar, W> {
 pub type Stack<S, W, const STACK: usize> = Vec<Pending<S, W>, STACK>;
 
 /// The rays that are still to be traced, each with its node in the tree.
-type Waiting<S, W, T, const STACK: usize> = Vec<(Pending<S, W>, T), STACK>;
+pub type Waiting<S, W, T, const STACK: usize> = Vec<(Pending<S, W>, T), STACK>;
 
 /// What returns the light of a ray from the eye: a [`Tracer`], the [`Spectrum`] of several, or one that is [`Distributed`].
 pub trait Trace<S: Scalar> {

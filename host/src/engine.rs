@@ -99,7 +99,7 @@ trait Rows: Send + Sync {
     fn levels(&self, first: u32, gun_max: u8, out: &mut [Rgb<u8>]);
     fn preview(&self, raster: Raster, first: u32, gun_max: u8, out: &mut [Rgb<u8>]);
     fn on_grid(&self, lattice: Lattice, first: u32, out: &mut [Rgb<u8>]);
-    fn sums(&self, seed: u32, tolerance: Option<u16>) -> Option<Box<dyn passes::Sums + '_>>;
+    fn sums(&self, seed: u32, tolerance: Option<passes::Tolerance>) -> Option<Box<dyn passes::Sums + '_>>;
     fn rays(&self) -> Rays;
     fn probe(&self, x: u32, y: u32) -> Probe;
 }
@@ -129,7 +129,7 @@ impl<S: Narrow> Rows for Box<dyn Picture<S>> {
         });
     }
 
-    fn sums(&self, seed: u32, tolerance: Option<u16>) -> Option<Box<dyn passes::Sums + '_>> {
+    fn sums(&self, seed: u32, tolerance: Option<passes::Tolerance>) -> Option<Box<dyn passes::Sums + '_>> {
         passes::begin(&**self, seed, tolerance)
     }
 

@@ -170,7 +170,7 @@ impl<S: Scalar> Thrown<'_, S> {
 
     /// Returns the dice for a lamp, by its number: each lamp has a seed of its own.
     #[inline]
-    pub(super) fn of_lamp(&self, lamp: usize) -> Self {
+    pub fn of_lamp(&self, lamp: usize) -> Self {
         let lamp = u32::try_from(lamp).unwrap_or(u32::MAX);
         Self { seed: self.seed.wrapping_add(lamp.wrapping_mul(0x9e37_79b9)), ..*self }
     }

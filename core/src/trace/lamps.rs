@@ -18,10 +18,10 @@ use crate::surface::Surface;
 impl<S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Accelerator<S>>
     Tracer<'_, S, M, N, STACK, A>
 {
-    /// Returns the radiance that a surface, a point of `object`, sends back of lamp number `number`; `None` where the dice take it as a point.
-    /// `is_first` says whether the point ends a ray from the eye.
+    /// Returns the radiance that a surface, a point of `object`, sends back of lamp number `number`, which has a size; `None` where the dice take it
+    /// as a point. `is_first` says whether the point ends a ray from the eye.
     #[inline(never)]
-    pub(super) fn spread_light<D: Dice<S>, O: Observer<S> + ?Sized>(
+    pub fn spread_light<D: Dice<S>, O: Observer<S> + ?Sized>(
         &self,
         (surface, object): (&Surface<S>, Option<Object>),
         (number, lamp): (usize, &Lamp<S>),
@@ -42,7 +42,7 @@ impl<S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Accelerator
     /// lamp with a size: the mean over places on it, one where they differ from sample to sample, or what things in the cone to it leave. A
     /// parallelogram lights the air before it, by the cosine there. `None` where the dice take the lamp as a point.
     #[inline(never)] // points do not pay for it
-    pub(super) fn beam<D: Dice<S>>(
+    pub fn beam<D: Dice<S>>(
         &self,
         place: Vec3<S>,
         number: usize,

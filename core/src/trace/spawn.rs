@@ -31,7 +31,7 @@ impl<S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Accelerator
     /// Spawns the secondary rays of a surface: pushes the transmitted one and returns the reflected one, which is followed next. Adds to
     /// the light what the reflected one brings where it sees the sky alone.
     #[cfg_attr(not(target_os = "none"), inline(always))]
-    pub(super) fn spawn<D: Dice<S>, O: Observer<S> + ?Sized>(
+    pub fn spawn<D: Dice<S>, O: Observer<S> + ?Sized>(
         &self,
         surface: &Surface<S>,
         parent: Parent<S, M::Weight, D>,

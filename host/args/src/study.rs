@@ -48,6 +48,11 @@ pub struct BenchArgs {
     /// instructions of whole processes. Without a scene the Cornell box.
     #[arg(long, requires = "peer", conflicts_with_all = ["record", "check", "scaling"])]
     pub light: bool,
+    /// Compare soft shadows and what is out of focus: at several settings of both, the error against a converged picture of its own
+    ///
+    /// Costs are CPU time and instructions of whole processes. Without a scene one with a lamp that is a ball, and one with a lens.
+    #[arg(long, requires = "peer", conflicts_with_all = ["light", "record", "check", "scaling"])]
+    pub spread: bool,
     /// Write the instructions of small pictures into a CSV file
     #[arg(long, value_name = "FILE", conflicts_with = "check")]
     pub record: Option<PathBuf>,

@@ -24,9 +24,6 @@ impl Agreement {
         (part.clamp(0.0, 1.0) * 255.0 * f64::from(Self::PARTS)).round() as u16
     }
 
-    /// The fewest samples by which a pixel is judged.
-    pub const FEWEST: u32 = 4;
-
     /// Returns the number of samples so far.
     #[must_use]
     pub const fn samples(&self) -> u32 {
@@ -44,15 +41,15 @@ impl Agreement {
         }
     }
 
-    /// Returns whether there are [`Agreement::FEWEST`] samples and the standard error of their mean is within `tolerance`, in
-    /// [`Agreement::PARTS`] of a level, in each register.
+    /// Returns whether there are two samples and the standard error of their mean is within `tolerance`, in [`Agreement::PARTS`] of a level, in
+    /// each register.
     ///
     /// The error is that of samples by chance, the root of their variance over their number; samples of a sequence have less.
     #[must_use]
     pub fn is_within(&self, tolerance: u16) -> bool {
         let samples = u64::from(self.samples);
         let [tolerance, parts] = [tolerance, Self::PARTS].map(u64::from);
-        self.samples >= Self::FEWEST
+        self.samples >= 2
             && self.sums.iter().zip(self.squares).all(|(&sum, square)| {
                 // The variance times the square of their number: below 2^44.
                 let spread = samples * u64::from(square) - u64::from(sum) * u64::from(sum);
@@ -88,7 +85,7 @@ mod tests {
 
     #[test]
     fn few_samples_say_nothing_and_equal_ones_agree() {
-        assert!(!of(&[0.3; 3]).is_within(4080) && of(&[0.3; 4]).is_within(0));
+        assert!(!of(&[0.3]).is_within(4080) && of(&[0.3; 2]).is_within(0));
         assert!(of(&[9.0, 1.0, 20.0, 4.0]).is_within(0), "white is white");
         assert!(!of(&[0.0, 0.0, 0.0, 1.0]).is_within(16));
         assert_eq!(of(&[0.1; 7]).samples(), 7);

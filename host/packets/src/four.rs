@@ -1,9 +1,15 @@
 //! Four rays side by side.
 
+mod air;
+mod area;
 pub(crate) mod closest;
+pub(crate) mod dice;
 pub(crate) mod geometry;
+mod mapping;
 mod mesh;
 pub(crate) mod packet;
+mod pairs;
+mod spread;
 pub(crate) mod surfaces;
 #[cfg(test)]
 #[allow(clippy::indexing_slicing, clippy::float_cmp, reason = "a test may panic, and is exact")]

@@ -11,13 +11,15 @@
 //! A picture in `f32` has the search's own numbers. There [`Rows::trace_rows`] follows four samples side by side: where they meet
 //! something, how they leave it and where the lamps are from there is computed four at once, by the operations of the core in
 //! its order, so that each of the four is what it is by itself, to the last bit. All decisions are those of
-//! [`rta_core::trace::decision`].
+//! [`rta_core::trace::decision`]. Samples whose rays are spread take the same way ([`Rows::trace_samples`]): their pairs of numbers, their places
+//! on lens and lamps and the shadow rays there are computed four at once.
 //!
 //! | step | where |
 //! | --- | --- |
 //! | nodes and leaves are built from a scene's description | `build.rs`, `build/*.rs` |
 //! | one ray is searched for | `one.rs`, `query.rs`, `rays.rs`, `light_buffer.rs`, `cache.rs` |
 //! | four samples are traced | `rows.rs`, `four/*.rs` |
+//! | their rays are spread | `four/dice.rs`, `four/pairs.rs`, `four/mapping.rs`, `four/area.rs`, `four/spread.rs` |
 //! | whether a pixel has samples enough | `agreement.rs` |
 //! | a picture of any format and model | `picture.rs` |
 #![forbid(unsafe_code)]
@@ -41,7 +43,7 @@ pub use cache::ShadowCache;
 pub use number::ToF32;
 pub use packets::Packets;
 pub use picture::Picture;
-pub use rows::Rows;
+pub use rows::{Rows, Samples};
 
 /// The code of the README, compiled and run with the other examples.
 #[cfg(doctest)]

@@ -41,7 +41,6 @@ pub use error::PictureError;
 use moving::Moving;
 use paths::Following;
 use spectral::Spectral;
-use spread::Spread;
 
 /// The deepest recursion: the capacity of the tracer's stack of pending rays.
 pub const MAX_DEPTH: u32 = 32;
@@ -192,7 +191,7 @@ macro_rules! formats {
                         held.solve(&scene.stopped(), limits)?;
                         return Ok(Box::new(Moving { still, spreading, scene: held, built }));
                     }
-                    return Ok(Box::new(Spread { still, spreading }));
+                    return Ok(spread::picture(still, (scene, model), spreading));
                 }
                 let is_clear = *air == Air::default();
                 Ok(match model {

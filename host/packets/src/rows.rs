@@ -1,23 +1,60 @@
 //! Rows of a picture, with each number format's fastest way through them.
 
+use core::ops::Range;
+
 use glam::Vec4;
 use rta_core::camera::Camera;
 use rta_core::color::Rgb;
 use rta_core::illumination::Illumination;
 use rta_core::needs::Needs;
 use rta_core::raster::{Pixels, Raster};
-use rta_core::sampling::{Center, Places};
+use rta_core::sampling::{Center, Places, Sobol};
 use rta_core::scalar::Scalar;
-use rta_core::trace::{Trace, Tracer};
+use rta_core::trace::dice::Sample;
+use rta_core::trace::{Distributed, Trace, Tracer};
 use rta_scenes::sampler::Sampler;
 
-use crate::four::geometry::through_plane;
+use crate::cache::ShadowCache;
+use crate::four::dice::{Still4, Thrown4};
+use crate::four::geometry::{Ray4, through_plane};
 use crate::four::trace::Trees4;
+use crate::four::vector::Vec3x4;
 use crate::number::ToF32;
 use crate::packets::Packets;
 
 /// What takes the light of a row of pixels.
 pub type PutRow<'a, S> = &'a mut dyn FnMut(&[Rgb<<S as Scalar>::Light>]);
+
+/// Samples of some pixels, by their columns and rows, with the same numbers in each: pixel by pixel, in the order of their numbers.
+#[derive(Clone, Debug)]
+pub struct Samples<I> {
+    pixels: I,
+    numbers: Range<u32>,
+    next: Sample,
+}
+
+impl<I: Iterator<Item = [u32; 2]>> Samples<I> {
+    /// Returns the samples with these numbers.
+    pub fn new(pixels: I, numbers: Range<u32>) -> Self {
+        let next = Sample { number: numbers.end, ..Sample::default() };
+        Self { pixels, numbers, next }
+    }
+}
+
+impl<I: Iterator<Item = [u32; 2]>> Iterator for Samples<I> {
+    type Item = Sample;
+
+    #[inline]
+    fn next(&mut self) -> Option<Sample> {
+        if self.next.number >= self.numbers.end {
+            let [x, y] = self.pixels.next().filter(|_| !self.numbers.is_empty())?;
+            self.next = Sample { x, y, number: self.numbers.start };
+        }
+        let sample = self.next;
+        self.next.number += 1;
+        Some(sample)
+    }
+}
 
 /// Calls `put` with the light of each of the rows from `first` to before `end`, as far as the raster has them.
 pub(crate) fn put_rows<S: Scalar, T: Trace<S>>(
@@ -44,6 +81,23 @@ pub trait Rows: ToF32 {
         put: impl FnMut(Rgb<Self::Light>),
     ) {
         Pixels::sampled(tracer, camera, raster, sampling, first, end).for_each(put);
+    }
+
+    /// Calls `put` with the light of each of some samples, in their order, at the `places` of their pixels on `raster`, from a tracer whose rays are
+    /// spread: the light of [`Trace::sample`].
+    fn trace_samples<'a, M: Illumination<Self>, N: Needs, const STACK: usize>(
+        tracer: &Distributed<'a, Self, M, N, STACK, &'a Packets>,
+        camera: &Camera<Self>,
+        (raster, places): (Raster, Sobol),
+        samples: Samples<impl Iterator<Item = [u32; 2]>>,
+        mut put: impl FnMut(Rgb<Self::Light>),
+    ) {
+        let mut cache = ShadowCache::default();
+        for sample in samples {
+            let Sample { x, y, number } = sample;
+            let place = places.place::<Self::Unit>(raster, y, x, number);
+            put(tracer.sample(camera, place, sample, &mut cache, &mut ()));
+        }
     }
 }
 
@@ -89,8 +143,9 @@ impl Rows for f32 {
                     }
                     (right[k], up[k]) = place;
                 }
-                let directions = through_plane(camera.forward, camera.right, camera.up, right, up);
-                let lights = trees.radiance(tracer, camera.eye, directions, count);
+                let direction = through_plane(camera.forward, camera.right, camera.up, right, up);
+                let rays = Ray4 { origin: Vec3x4::splat(camera.eye), direction };
+                let lights = trees.radiance(tracer, rays, &Still4, count);
                 for (light, _) in lights.into_iter().zip(0..count) {
                     if is_center {
                         put(light);
@@ -103,6 +158,34 @@ impl Rows for f32 {
                         (sum, summed) = (Rgb::BLACK, 0);
                     }
                 }
+            }
+        }
+    }
+
+    fn trace_samples<'a, M: Illumination<f32>, N: Needs, const STACK: usize>(
+        tracer: &Distributed<'a, f32, M, N, STACK, &'a Packets>,
+        camera: &Camera<f32>,
+        (raster, places): (Raster, Sobol),
+        mut samples: Samples<impl Iterator<Item = [u32; 2]>>,
+        mut put: impl FnMut(Rgb<f32>),
+    ) {
+        debug_assert_eq!(places.seed(), tracer.seed, "places and rays are spread by one seed");
+        let mut trees = Trees4::new();
+        while let Some(first) = samples.next() {
+            // Samples of one pixel, or of neighbours. Where there are no more, the last one again.
+            let (mut last, mut count) = (first, 1);
+            let [second, third, fourth] = [(); 3].map(|()| {
+                if let Some(sample) = samples.next() {
+                    (last, count) = (sample, count + 1);
+                }
+                last
+            });
+            let four = [first, second, third, fourth];
+            let dice = Thrown4::new(tracer.spread, four, tracer.seed);
+            let rays = dice.start(camera, raster);
+            let lights = trees.radiance(&tracer.tracer, rays, &dice, count);
+            for (light, _) in lights.into_iter().zip(0..count) {
+                put(light);
             }
         }
     }

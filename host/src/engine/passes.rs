@@ -19,6 +19,15 @@ mod accumulated;
 /// Scrambles of the samples whose spread is the error, that of the picture among them.
 const SCRAMBLES: usize = 4;
 
+/// Where pixels end early.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Tolerance {
+    /// How far their samples may be from agreeing, in [`Agreement::PARTS`](rta_packets::agreement::Agreement::PARTS) of a level.
+    pub parts: u16,
+    /// The fewest samples of a pixel, 2 or more.
+    pub fewest: u32,
+}
+
 /// Why a pass is not completed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Ended {
@@ -44,13 +53,15 @@ impl From<Ended> for BandsError {
 /// squared error, as scrambled samples have the right mean (A. Owen, "Randomly Permuted (t,m,s)-Nets", 1995). One pixel of each block of
 /// 4 x 4 is asked (more of a picture below 128 x 128), so that it costs 3/16 of the picture's rays.
 ///
-/// With a tolerance a pixel ends early: after 4, 8, 16 ... samples, once its own samples and those of its eight neighbours agree within it
+/// With a tolerance a pixel ends early: after 4, 8, 16 ... samples, or as few as the tolerance says, once its own samples and those of its eight neighbours agree within it
 /// ([`Agreement::is_within`](rta_packets::agreement::Agreement::is_within)). What a pixel's few samples have missed, an edge or a small
 /// thing, a neighbour has mostly met. Such a picture has no estimated error, and 60 bytes
 /// more a pixel.
 pub struct Passes<'e> {
     sums: Box<dyn Sums + 'e>,
     samples: u32,
+    /// Samples of the first pass.
+    fewest: u32,
     error: f64,
     seed: u32,
 }
@@ -90,13 +101,14 @@ impl Engine {
         self.passes_within(None)
     }
 
-    /// Begins a picture that is traced in passes, whose pixels end early where there is a tolerance, in
-    /// [`Agreement::PARTS`](rta_packets::agreement::Agreement::PARTS) of a level; `None` where there is no memory for it.
+    /// Begins a picture that is traced in passes, whose pixels end early where there is a tolerance; `None` where there is no memory for it.
     #[must_use]
-    pub fn passes_within(&self, tolerance: Option<u16>) -> Option<Passes<'_>> {
+    pub fn passes_within(&self, tolerance: Option<Tolerance>) -> Option<Passes<'_>> {
         let seed = self.settings.sampling.spreading().map_or(0, |spreading| spreading.samples.seed());
         let sums = self.rows.sums(seed, tolerance)?;
-        Some(Passes { sums, samples: 0, error: f64::INFINITY, seed })
+        // No pixel ends sooner, and samples of one pixel are traced side by side.
+        let fewest = tolerance.map_or(1, |tolerance| tolerance.fewest);
+        Some(Passes { sums, samples: 0, fewest, error: f64::INFINITY, seed })
     }
 }
 
@@ -132,10 +144,10 @@ impl Passes<'_> {
         self.error
     }
 
-    /// Returns the samples that each pixel will have after the next pass, at most `most`: 1, 2, 4, 8 and so on.
+    /// Returns the samples that each pixel will have after the next pass, at most `most`: 1, 2, 4, 8 and so on, with a tolerance from its fewest on.
     #[must_use]
     pub fn next(&self, most: u32) -> u32 {
-        self.samples.saturating_mul(2).clamp(1, most.clamp(1, Sobol::MAX_SAMPLES))
+        self.samples.saturating_mul(2).max(self.fewest).min(most.clamp(1, Sobol::MAX_SAMPLES))
     }
 
     /// Adds the pass after which each pixel has [`Passes::next`] samples. `done` is told of pixels that are traced, by any thread.

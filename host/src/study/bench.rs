@@ -5,7 +5,9 @@
 //! | what is measured | [`case`], [`spheres`] |
 //! | instructions under valgrind | [`child`] |
 //! | the same scenes in POV-Ray | [`povray`], [`peer`] |
+//! | error against cost, beside POV-Ray | [`beside`] |
 //! | light that goes round, beside POV-Ray's radiosity | [`light`] |
+//! | soft shadows and what is out of focus, beside POV-Ray's | [`spread`] |
 //! | the table | [`markdown`] |
 //! | instructions that are recorded, and counted again | [`drift`] |
 
@@ -22,6 +24,7 @@ use crate::study::error::StudyError;
 use crate::study::markdown;
 use rta_packets::tally::Rays;
 
+pub mod beside;
 pub mod case;
 pub mod child;
 pub mod drift;
@@ -29,6 +32,7 @@ pub mod light;
 pub mod peer;
 pub mod povray;
 pub mod spheres;
+pub mod spread;
 
 use case::{Case, Tracing};
 use child::Work;
@@ -57,6 +61,9 @@ struct Row {
 pub fn run(args: &BenchArgs) -> Result<(), StudyError> {
     if args.light {
         return light::run(args);
+    }
+    if args.spread {
+        return spread::run(args);
     }
     let stop = interrupt::watch();
     if let Some(file) = &args.record {

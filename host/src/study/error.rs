@@ -50,6 +50,9 @@ pub enum StudyError {
     /// The program has no scene of its own by this name.
     #[error("there is no scene {0} in the program")]
     NoScene(String),
+    /// Neither lamps nor a lens spread the rays of a scene.
+    #[error("{0} has neither a lamp with a size nor a lens: nothing is spread")]
+    Still(String),
     /// Valgrind, the other ray tracer or the file of recorded instructions fails.
     #[error("{0}")]
     Bench(Box<dyn core::error::Error + Send + Sync>),

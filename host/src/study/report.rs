@@ -106,6 +106,15 @@ impl Source {
         Self::of_program(("cornell", shipped::CORNELL))
     }
 
+    /// Returns the scenes of the program with soft shadows and with a lens.
+    ///
+    /// # Errors
+    /// [`RequestError::Scene`](crate::request::error::RequestError::Scene) if one is malformed.
+    pub fn soft() -> Result<Vec<Self>, StudyError> {
+        let soft = shipped::SPREADING.into_iter().filter(|(title, _)| ["penumbra", "lens"].contains(title));
+        soft.map(Self::of_program).collect()
+    }
+
     fn of_program((title, text): (&str, &str)) -> Result<Self, StudyError> {
         let scene = SceneFile::of_text(title, text, Reading::default())?;
         Ok(Self { scene, text: text.as_bytes().to_vec(), title: title.to_owned() })

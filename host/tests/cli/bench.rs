@@ -136,6 +136,46 @@ fn a_room_is_lit_beside_the_peers_radiosity() {
     }
 }
 
+/// A ball under a lamp that is one.
+const SOFT: &str = "\
+rta 1
+model lambert
+camera at 0 -7 3  to 0 0 .5  lens 1.3
+sky grey .1
+ambient black
+floor grey .9 grey .9
+lamp at -2 -2 6  radius 1  power 20  square
+sphere at 0 0 .8  radius .8  color .9 .35 .2
+";
+
+#[test]
+fn soft_shadows_are_set_beside_the_peers() {
+    let folder = Folder::new();
+    folder.scene("soft.rta", SOFT);
+    folder.scene("still.rta", SOFT.replace("radius 1", "radius 0"));
+    let asked = |scene| {
+        ["bench", scene, "--spread", "--peer", "povray", "--size", "12x9", "--runs", "1", "--no-instructions"]
+    };
+    folder.refuses(&asked("still.rta"), &["still", "nothing is spread"]);
+    let ended = folder.command(&asked("soft.rta")).env("PATH", "/nowhere").output().unwrap();
+    let said = String::from_utf8(ended.stderr).unwrap();
+    assert!(ended.status.code() == Some(2) && said.contains("povray cannot be started"), "{said}");
+    if is_installed("povray") {
+        let text = folder.prints(&asked("soft.rta"));
+        let rows = rows(text.strip_prefix("soft, 12x9:\n\n").expect("a title"));
+        let errors = |program: &str| -> Vec<f64> {
+            let own = rows.iter().filter(|row| cell(row, "program") == program);
+            own.map(|row| cell(row, "RMSE").parse().unwrap()).collect()
+        };
+        let (ours, theirs) = (errors("rta"), errors("povray"));
+        assert_eq!((ours.len(), theirs.len()), (10, 5), "{text}");
+        // From few samples to many, towards pictures that are nearly one.
+        assert!(ours[9] < ours[0] / 2.0 && theirs[4] < 0.02, "{text}");
+        let apart = text.lines().last().and_then(|line| line.strip_suffix(" apart.")?.split(' ').next_back());
+        assert!(apart.expect("a number").parse::<f64>().unwrap() < 0.03, "{text}");
+    }
+}
+
 #[test]
 fn instructions_are_recorded_and_checked() {
     let folder = Folder::new();

@@ -54,6 +54,8 @@ fn samples_are_taken_where_they_are_needed() {
     // With a wide tolerance a pixel has the fewest samples.
     let (few, told) = of(&["--tolerance", "1"]);
     assert!(mean(&told) == 4.0 && few == of(&["--samples", "4"]).0, "{told}");
+    let (fewer, told) = of(&["--tolerance", "1:2"]);
+    assert!(mean(&told) == 2.0 && fewer == of(&["--samples", "2"]).0, "{told}");
 }
 
 #[test]
@@ -76,6 +78,7 @@ fn what_makes_no_sense_is_refused() {
     for (args, words) in [
         (&["--tolerance", "0"][..], "part of white"),
         (&["--tolerance", "nan"], "part of white"),
+        (&["--tolerance", ".02:1"], "2 or more"),
         (&["--tolerance", ".01", "--until", "1s"], "cannot be used with"),
         (&["--tolerance", ".01", "--aa", "whitted"], "cannot be used with"),
         (&["--tolerance", ".01", "--rows", "0..2"], "cannot be used with"),

@@ -65,23 +65,38 @@ impl fmt::Display for Samples {
     }
 }
 
-/// How far the samples of a pixel may be from agreeing, as a part of white.
+/// How far the samples of a pixel may be from agreeing, as a part of white, and the fewest that it has: `PART` or `PART:FEWEST`.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct ToleranceValue(f64);
+pub struct ToleranceValue {
+    part: f64,
+    fewest: u32,
+}
 
 /// It is no tolerance.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("expected a part of white from {} to 1", ToleranceValue::LEAST)]
+#[error(
+    "expected a part of white from {} to 1, or with the fewest samples of a pixel, 2 or more, as .02:2",
+    ToleranceValue::LEAST
+)]
 pub struct NotTolerance;
 
 impl ToleranceValue {
     /// The smallest: a sixteenth of one of 255 levels, rounded up.
     const LEAST: f64 = 0.00025;
 
+    /// The fewest samples of a pixel where nobody says more.
+    const FEWEST: u32 = 4;
+
     /// Returns the part of white.
     #[must_use]
     pub const fn part(self) -> f64 {
-        self.0
+        self.part
+    }
+
+    /// Returns the fewest samples of a pixel, 2 or more.
+    #[must_use]
+    pub const fn fewest(self) -> u32 {
+        self.fewest
     }
 }
 
@@ -89,13 +104,23 @@ impl FromStr for ToleranceValue {
     type Err = NotTolerance;
 
     fn from_str(text: &str) -> Result<Self, NotTolerance> {
-        text.parse().ok().filter(|part| (Self::LEAST..=1.0).contains(part)).map(Self).ok_or(NotTolerance)
+        let (part, fewest) = match text.split_once(':') {
+            Some((part, fewest)) => (part, fewest.parse().map_err(|_| NotTolerance)?),
+            None => (text, Self::FEWEST),
+        };
+        let part = part.parse().map_err(|_| NotTolerance)?;
+        if (Self::LEAST..=1.0).contains(&part) && fewest >= 2 {
+            Ok(Self { part, fewest })
+        } else {
+            Err(NotTolerance)
+        }
     }
 }
 
 impl fmt::Display for ToleranceValue {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.0.fmt(f)
+        self.part.fmt(f)?;
+        if self.fewest == Self::FEWEST { Ok(()) } else { write!(f, ":{}", self.fewest) }
     }
 }
 
@@ -214,10 +239,17 @@ mod tests {
 
     #[test]
     fn a_tolerance_is_a_part_of_white() {
-        for (text, told) in [("1", "1"), (".01", "0.01"), ("1e-3", "0.001"), ("0.00025", "0.00025")] {
+        for (text, told) in [
+            ("1", "1"),
+            (".01", "0.01"),
+            ("1e-3", "0.001"),
+            ("0.00025", "0.00025"),
+            (".02:2", "0.02:2"),
+            (".02:4", "0.02"),
+        ] {
             assert_eq!(text.parse::<ToleranceValue>().expect(text).to_string(), told);
         }
-        for text in ["", "0", "-0.1", "1.01", "1e-5", "NaN", "inf", "a"] {
+        for text in ["", "0", "-0.1", "1.01", "1e-5", "NaN", "inf", "a", ".02:1", ".02:", ":2", ".02:-4"] {
             assert!(text.parse::<ToleranceValue>().is_err(), "{text}");
         }
     }

@@ -80,6 +80,20 @@ impl<'a> Surfaces4<'a> {
         }
     }
 
+    /// The surface that ray `k` sees, with all that is told of it.
+    #[inline(never)] // most surfaces need no more than [`Surfaces4::surface`]
+    pub(crate) fn whole(&self, rays: &Ray4, k: usize) -> Surface<'a, f32> {
+        let has = |bits: u32| bits >> k & 1 == 1;
+        let mesh = one(&self.meshes, k).filter(|_| has(self.meshed));
+        Surface { mesh, surroundings: has(self.surroundings), ..self.surface(rays, k) }
+    }
+
+    /// The number of the material that ray `k` sees.
+    #[inline(always)]
+    pub(crate) fn number(&self, k: usize) -> u16 {
+        one(&self.numbers, k)
+    }
+
     /// What stands for the surface that ray `k` sees, a triangle not shaded by its mixed normals alone.
     #[inline(never)] // scenes without meshes do not pay for it
     pub(crate) fn aspects<N: Needs>(&self, rays: &Ray4, k: usize) -> Option<Aspects<'a, f32>> {

@@ -52,6 +52,12 @@ impl Vec3x4 {
     }
 
     #[inline(always)]
+    pub(crate) fn cross(self, other: Self) -> Self {
+        let ([a, b, c], [x, y, z]) = (self.0, other.0);
+        Self([b * z - y * c, c * x - z * a, a * y - x * b])
+    }
+
+    #[inline(always)]
     pub(crate) fn scale(self, factor: Vec4) -> Self {
         Self(self.0.map(|four| four * factor))
     }

@@ -39,16 +39,23 @@ impl Pass {
         sums: Sums<S>,
         mut trace: impl FnMut((S::Unit, S::Unit), Sample) -> Rgb<S::Light>,
     ) {
-        for Added { place: [x, y], sum, mut agreement } in sums {
+        for mut pixel in sums {
+            let [x, y] = pixel.place;
             let row = places.row::<S::Unit>(raster, y);
             for number in self.first..places.samples() {
                 let place = places.place(raster, row, x, number);
-                let light = trace(place, Sample { x, y, number });
-                *sum = places.add(*sum, light);
-                if let Some(agreement) = &mut agreement {
-                    agreement.add(light);
-                }
+                pixel.take(places, trace(place, Sample { x, y, number }));
             }
+        }
+    }
+}
+
+impl<S: Scalar> Added<'_, S> {
+    /// Takes the light of one more sample.
+    pub(super) fn take(&mut self, places: impl Places, light: Rgb<S::Light>) {
+        *self.sum = places.add(*self.sum, light);
+        if let Some(agreement) = &mut self.agreement {
+            agreement.add(light);
         }
     }
 }

@@ -1,23 +1,46 @@
-//! Pictures whose rays are spread: over a lens, over lamps, and over the facets of rough surfaces. One ray at a time, with every model behind
-//! its pointer.
+//! Pictures whose rays are spread: over a lens, over lamps, and over the facets of rough surfaces.
 
 use rta_core::color::Rgb;
-use rta_core::illumination::Illumination;
-use rta_core::raster::Raster;
+use rta_core::illumination::{Illumination, Lambert, Rta};
+use rta_core::raster::{Places, Raster};
 use rta_core::trace::dice::Sample;
 use rta_core::trace::{Distributed, Observer, Trace};
+use rta_scenes::description::{Air, Description};
+use rta_scenes::model::Model;
 use rta_scenes::narrow::Narrowed;
 use rta_scenes::sampler::Spreading;
+use rta_scenes::shading::AnyModel;
 
 use super::{Format, MAX_DEPTH, Modelled, Pass, Picture, PutRow, Setup, Sums};
 use crate::cache::ShadowCache;
 use crate::packets::Packets;
-use crate::rows::put_rows;
+use crate::rows::Samples;
 
 /// A picture whose rays are spread as `spreading` says; `still` is the one whose rays are not.
-pub(super) struct Spread<S: Format, M> {
-    pub(super) still: Modelled<S, M>,
-    pub(super) spreading: Spreading,
+struct Spread<S: Format, M> {
+    still: Modelled<S, M>,
+    spreading: Spreading,
+}
+
+/// Returns the picture whose rays are spread as `spreading` says; `still` is the one whose rays are not, of a scene by this model, in this air.
+pub(super) fn picture<S: Format>(
+    still: Modelled<S, AnyModel<S>>,
+    (scene, model): (&Description, Model),
+    spreading: Spreading,
+) -> Box<dyn Picture<S>> {
+    let is_clear = scene.air == Air::default();
+    let shines_through = scene.materials.iter().any(|own| own.back.is_some_and(|back| back > 0.0));
+    // Models that need no row of a material. The others, and all in air, are behind a pointer.
+    match model {
+        Model::Lambert if is_clear && !shines_through => {
+            let still = Modelled { ready: still.ready, model: Lambert::default() };
+            Box::new(Spread { still, spreading })
+        }
+        Model::Rta if is_clear => {
+            Box::new(Spread { still: Modelled { ready: still.ready, model: Rta }, spreading })
+        }
+        _ => Box::new(Spread { still, spreading }),
+    }
 }
 
 type Traced<'t, S, M> =
@@ -39,8 +62,23 @@ impl<S: Format, M: Illumination<S> + Clone> Picture<S> for Spread<S, M> {
     fn rows(&self, first: u32, end: u32, put: PutRow<S>) {
         let raster = self.setup().raster;
         let (camera, samples) = (&self.scene().camera, self.spreading.samples);
+        let (width, end) = (raster.width(), end.min(raster.height()));
+        let pixels = (first..end).flat_map(|y| (0..width).map(move |x| [x, y]));
+        let all = Samples::new(pixels, 0..samples.samples());
+        let mut row = Vec::with_capacity(width as usize);
+        let (mut sum, mut summed) = (Rgb::BLACK, 0);
         self.with_tracer(samples.seed(), |tracer| {
-            put_rows(tracer, camera, (raster, samples), (first, end), put);
+            S::trace_samples(tracer, camera, (raster, samples), all, |light| {
+                (sum, summed) = (samples.add(sum, light), summed + 1);
+                if summed == samples.samples() {
+                    row.push(samples.mean(sum));
+                    (sum, summed) = (Rgb::BLACK, 0);
+                }
+                if row.len() == width as usize {
+                    put(&row);
+                    row.clear();
+                }
+            });
         });
     }
 
@@ -62,10 +100,24 @@ impl<S: Format, M: Illumination<S> + Clone> Picture<S> for Spread<S, M> {
     }
 
     fn add(&self, pass: Pass, sums: Sums<S>) {
-        let (camera, mut memory) = (&self.scene().camera, ShadowCache::default());
-        self.with_tracer(pass.samples.seed(), |tracer| {
-            pass.add::<S>((self.setup().raster, pass.samples), sums, |place, sample| {
-                tracer.sample(camera, place, sample, &mut memory, &mut ())
+        let (camera, Pass { samples, first }) = (&self.scene().camera, pass);
+        let mut pixels: Vec<_> = sums.collect();
+        if pixels.is_empty() {
+            return;
+        }
+        let places: Vec<_> = pixels.iter().map(|pixel| pixel.place).collect();
+        let numbers = first..samples.samples();
+        let all = Samples::new(places.into_iter(), numbers.clone());
+        let (mut pixels, mut pixel, mut left) = (pixels.iter_mut(), None, 0);
+        self.with_tracer(samples.seed(), |tracer| {
+            S::trace_samples(tracer, camera, (self.setup().raster, samples), all, |light| {
+                if left == 0 {
+                    (pixel, left) = (pixels.next(), numbers.len());
+                }
+                left -= 1;
+                if let Some(pixel) = &mut pixel {
+                    pixel.take(samples, light);
+                }
             });
         });
     }

@@ -7,4 +7,5 @@ mod compare;
 mod equal;
 mod random;
 mod scenes;
+mod spread;
 mod wrong;

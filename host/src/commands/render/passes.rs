@@ -14,7 +14,7 @@ use rta_packets::agreement::Agreement;
 
 use super::Source;
 use crate::engine::bands::{self, BandsError};
-use crate::engine::passes::{Ended, Passes};
+use crate::engine::passes::{Ended, Passes, Tolerance};
 use crate::engine::progress::Progress;
 use crate::engine::{Engine, interrupt};
 use crate::error::Error;
@@ -55,7 +55,9 @@ pub fn trace<'e>(
     let pool = bands::pool(threads)?;
     let tolerance = match goal {
         Goal::Until(..) => None,
-        Goal::Settled(tolerance) => Some(Agreement::tolerance(tolerance.part())),
+        Goal::Settled(tolerance) => {
+            Some(Tolerance { parts: Agreement::tolerance(tolerance.part()), fewest: tolerance.fewest() })
+        }
     };
     let mut passes = engine.passes_within(tolerance).ok_or(PictureError::Memory(size))?;
     let (enough, deadline, keeps) = match goal {

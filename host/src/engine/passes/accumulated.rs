@@ -13,7 +13,7 @@ use rta_packets::agreement::Agreement;
 use rta_packets::picture::{Added, Pass, Picture, Setup};
 use rta_scenes::narrow::Narrow;
 
-use super::{SCRAMBLES, Sums};
+use super::{SCRAMBLES, Sums, Tolerance};
 use crate::engine::single;
 
 /// The error is told by one pixel of each block of so many rows and columns of a large picture.
@@ -70,7 +70,7 @@ struct Accumulated<'e, S: Narrow, K> {
     next: Vec<Pixel<S, K>>,
     checked: Vec<Checked<S>>,
     next_checked: Vec<Checked<S>>,
-    tolerance: u16,
+    tolerance: Option<Tolerance>,
     /// How many samples each pixel has ended with, 0 of those that go on; empty as long as all go on.
     ended: Vec<u32>,
 }
@@ -91,11 +91,11 @@ fn takes_more(ended: &[u32], index: usize) -> bool {
 pub(in crate::engine) fn begin<S: Narrow>(
     picture: &dyn Picture<S>,
     seed: u32,
-    tolerance: Option<u16>,
+    tolerance: Option<Tolerance>,
 ) -> Option<Box<dyn Sums + '_>> {
     match tolerance {
-        None => Accumulated::<S, ()>::new(picture, checked(picture.setup().raster, seed), 0),
-        Some(tolerance) => Accumulated::<S, Agreement>::new(picture, Vec::new(), tolerance),
+        None => Accumulated::<S, ()>::new(picture, checked(picture.setup().raster, seed), None),
+        Some(tolerance) => Accumulated::<S, Agreement>::new(picture, Vec::new(), Some(tolerance)),
     }
 }
 
@@ -122,7 +122,7 @@ impl<'e, S: Narrow, K: Kept> Accumulated<'e, S, K> {
     fn new(
         picture: &'e dyn Picture<S>,
         checked: Vec<Checked<S>>,
-        tolerance: u16,
+        tolerance: Option<Tolerance>,
     ) -> Option<Box<dyn Sums + 'e>> {
         let Setup { raster, .. } = *picture.setup();
         let [width, height] = [raster.width(), raster.height()].map(|side| side as usize);
@@ -148,27 +148,31 @@ impl<'e, S: Narrow, K: Kept> Accumulated<'e, S, K> {
 
     /// Ends the pixels that agree, and whose neighbours do, with the `samples` that all that went on have.
     fn settle(&mut self, samples: u32) {
-        if self.tolerance == 0 || samples < Agreement::FEWEST {
+        let Some(Tolerance { parts, fewest }) = self.tolerance else { return };
+        if samples < fewest {
             return;
         }
-        let differs: Vec<_> = (0..)
-            .zip(&self.pixels)
-            .map(|(index, pixel)| takes_more(&self.ended, index) && !pixel.kept.agrees(self.tolerance))
-            .collect();
-        let around = |index: usize| {
+        // Few pixels differ once there are many samples.
+        let mut goes_on = vec![false; self.pixels.len()];
+        for (index, pixel) in self.pixels.iter().enumerate() {
+            if !takes_more(&self.ended, index) || pixel.kept.agrees(parts) {
+                continue;
+            }
             let (x, y) = (index % self.width, index / self.width);
-            let columns = x.saturating_sub(1)..=(x + 1).min(self.width - 1);
-            (y.saturating_sub(1)..=y + 1).any(|y| {
-                let row = differs.get(y * self.width..(y + 1) * self.width).unwrap_or_default();
-                row.get(columns.clone()).is_some_and(|columns| columns.contains(&true))
-            })
-        };
-        let end = |index: usize| match self.ended.get(index) {
-            Some(&ended) if ended > 0 => ended,
-            _ if around(index) => 0,
-            _ => samples,
-        };
-        self.ended = (0..self.pixels.len()).map(end).collect();
+            for row in y.saturating_sub(1)..=y + 1 {
+                let columns = x.saturating_sub(1)..(x + 2).min(self.width);
+                let around = row * self.width + columns.start..row * self.width + columns.end;
+                if let Some(around) = goes_on.get_mut(around) {
+                    around.fill(true);
+                }
+            }
+        }
+        self.ended.resize(self.pixels.len(), 0);
+        for (ended, goes_on) in self.ended.iter_mut().zip(goes_on) {
+            if *ended == 0 && !goes_on {
+                *ended = samples;
+            }
+        }
     }
 
     /// Hands each pixel from row `first` on over with its mean light.

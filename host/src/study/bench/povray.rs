@@ -1,7 +1,7 @@
 //! Scenes for POV-Ray 3.7: the same things before the same eye, which take it the same rays. Shading is as near as its
 //! own models come.
 //!
-//! [`lit`] are rooms in which something emits.
+//! [`lit`] are rooms in which something emits, [`mod@spread`] is what spreads rays.
 //!
 //! Coordinates need no change: POV-Ray's left hand shows in its usual camera alone, and this one is given by its vectors.
 
@@ -14,9 +14,13 @@ use rta_scenes::narrow::narrow;
 
 use crate::engine::{EngineError, Model};
 
+mod light;
 pub mod lit;
+pub mod spread;
 
+use light::Light;
 use lit::Radiosity;
+use spread::{Ball, Spread};
 
 /// Half of a vertical cylinder, which has no end in rta.
 const REACH: f64 = 1000.0;
@@ -26,7 +30,20 @@ const REACH: f64 = 1000.0;
 /// # Errors
 /// None that a scene which can be traced has.
 pub fn scene(scene: &Description, model: Model, depth: u32, aspect: f64) -> Result<String, EngineError> {
-    written(scene, model, (depth, aspect), None)
+    written(scene, model, (depth, aspect), Light::Still)
+}
+
+/// Like [`scene`], with lamps that have a size and a lens.
+///
+/// # Errors
+/// Those of [`scene`].
+pub fn spread_scene(
+    scene: &Description,
+    model: Model,
+    screen: (u32, f64),
+    spread: &Spread,
+) -> Result<String, EngineError> {
+    written(scene, model, screen, Light::Spread(spread))
 }
 
 /// Like [`scene`], with lamps that have the size of what emits, and POV-Ray's own light that goes round.
@@ -39,14 +56,14 @@ pub fn lit_scene(
     screen: (u32, f64),
     radiosity: &Radiosity,
 ) -> Result<String, EngineError> {
-    written(&lit::lit(scene), model, screen, Some(radiosity))
+    written(&lit::lit(scene), model, screen, Light::Round(radiosity))
 }
 
 fn written(
     scene: &Description,
     model: Model,
     (depth, aspect): (u32, f64),
-    radiosity: Option<&Radiosity>,
+    light: Light,
 ) -> Result<String, EngineError> {
     let mut file = File {
         text: String::new(),
@@ -54,19 +71,19 @@ fn written(
         model,
         ambient: scene.ambient,
         named: &scene.materials,
-        is_lit: radiosity.is_some(),
+        light,
     };
     // Depth 0 is the eye's own ray. Nothing is left out for bringing little light.
     let level = depth + 1;
-    let round = radiosity.map(Radiosity::settings).unwrap_or_default();
+    let round = light.round().map(Radiosity::settings).unwrap_or_default();
     file.line(format_args!(
         "#version 3.7;\nglobal_settings {{ assumed_gamma 1 max_trace_level {level} adc_bailout 0 ambient_light rgb 1{round} }}"
     ));
     file.camera(scene, aspect)?;
     file.sky(scene);
     for (number, lamp) in scene.lamps.iter().enumerate() {
-        match radiosity.zip(scene.details.lamps.get(&number)) {
-            Some((radiosity, shape)) => file.area_lamp(lamp, shape, radiosity.lamp),
+        match light.places().zip(scene.details.lamps.get(&number)) {
+            Some((places, shape)) => file.area_lamp(lamp, shape, places),
             None => file.lamp(lamp),
         }
     }
@@ -93,8 +110,7 @@ struct File<'a> {
     model: Model,
     ambient: [f64; 3],
     named: &'a [Material],
-    /// Whether what emits shines.
-    is_lit: bool,
+    light: Light<'a>,
 }
 
 impl File<'_> {
@@ -104,12 +120,15 @@ impl File<'_> {
     }
 
     fn camera(&mut self, scene: &Description, aspect: f64) -> Result<(), EngineError> {
-        let camera = narrow::<f64>(&Description::empty(scene.camera.clone()), aspect)?.camera;
+        let seen = Description { optics: scene.optics.clone(), ..Description::empty(scene.camera.clone()) };
+        let narrowed = narrow::<f64>(&seen, aspect)?;
+        let lens = self.lens(&narrowed, self.light.spread());
+        let camera = narrowed.camera;
         let eye = vector([camera.eye.x(), camera.eye.y(), camera.eye.z()]);
         let [forward, right, up] =
             [camera.forward, camera.right, camera.up].map(|v| vector([v.x(), v.y(), v.z()]));
         self.line(format_args!(
-            "camera {{ perspective location {eye} direction {forward} right {right} up {up} }}"
+            "camera {{ perspective location {eye} direction {forward} right {right} up {up}{lens} }}"
         ));
         Ok(())
     }
@@ -127,13 +146,16 @@ impl File<'_> {
 
     fn lamp(&mut self, lamp: &Lamp) {
         let place = vector(lamp.position);
+        let size = self.light.spread().map(|spread| Ball(lamp, spread).to_string()).unwrap_or_default();
         if self.model.is_attenuated() {
             // Its law is 2 / (1 + d^2).
             let half = vector(lamp.color.map(|register| register / 2.0));
-            self.line(format_args!("light_source {{ {place} rgb {half} fade_distance 1 fade_power 2 }}"));
+            self.line(format_args!(
+                "light_source {{ {place} rgb {half} fade_distance 1 fade_power 2{size} }}"
+            ));
         } else {
             let color = vector(lamp.color.map(|register| register.min(1.0)));
-            self.line(format_args!("light_source {{ {place} rgb {color} }}"));
+            self.line(format_args!("light_source {{ {place} rgb {color}{size} }}"));
         }
         if lamp.radius > 0.0 {
             let seen = vector(lamp.color.map(|register| register / (lamp.radius * lamp.radius)));

@@ -80,6 +80,6 @@ impl File<'_> {
     /// Returns the radiance that a surface sends out by itself, if it does, in a room that is lit.
     pub(super) fn emission(&self, surface: &Surface) -> Option<[f64; 3]> {
         let is_named = matches!(surface, Surface::Of(_));
-        if self.is_lit && is_named { Material::of(surface, self.named).emits } else { None }
+        if self.light.round().is_some() && is_named { Material::of(surface, self.named).emits } else { None }
     }
 }
