@@ -6,6 +6,7 @@
 //! | instructions under valgrind | [`child`] |
 //! | the same scenes in POV-Ray | [`povray`], [`peer`] |
 //! | light that goes round, beside POV-Ray's radiosity | [`light`] |
+//! | paths in a room, beside Mitsuba's | [`mod@mitsuba`], [`light`] |
 //! | the table | [`markdown`] |
 //! | instructions that are recorded, and counted again | [`drift`] |
 
@@ -13,7 +14,7 @@ use core::sync::atomic::{AtomicBool, Ordering};
 use core::time::Duration;
 use std::io::{self, Write};
 
-use crate::args::BenchArgs;
+use crate::args::{self, BenchArgs};
 use crate::engine::callgrind::CountError;
 use crate::engine::interrupt;
 use crate::engine::progress::Progress;
@@ -26,6 +27,7 @@ pub mod case;
 pub mod child;
 pub mod drift;
 pub mod light;
+pub mod mitsuba;
 pub mod peer;
 pub mod povray;
 pub mod spheres;
@@ -57,6 +59,9 @@ struct Row {
 pub fn run(args: &BenchArgs) -> Result<(), StudyError> {
     if args.light {
         return light::run(args);
+    }
+    if args.peer == Some(args::Peer::Mitsuba) {
+        return Err(StudyError::PathsAlone);
     }
     let stop = interrupt::watch();
     if let Some(file) = &args.record {

@@ -1,6 +1,7 @@
-//! `rta bench --light --peer povray`: a room by two passes and by POV-Ray's radiosity, error against cost of whole processes.
+//! `rta bench --light`: light that goes round, beside another program. With `--peer povray` a room by two passes and by POV-Ray's radiosity, error
+//! against cost of whole processes; with `--peer mitsuba` by [`paths`] of both.
 //!
-//! Both are compared with the same picture of converged paths, after the scaling by one factor that suits best, since they need not have one
+//! Two passes and radiosity are compared with the same picture of converged paths, after the scaling by one factor that suits best, since they need not have one
 //! unit of light. Pixels in which a lamp is seen are left out.
 
 use std::path::Path;
@@ -9,7 +10,7 @@ use rta_core::color::Rgb;
 
 use super::povray::lit::Radiosity;
 use super::povray::lit_scene;
-use crate::args::BenchArgs;
+use crate::args::{BenchArgs, Peer};
 use crate::engine::callgrind::CountError;
 use crate::engine::progress::Progress;
 use crate::engine::{bands, interrupt};
@@ -21,6 +22,7 @@ use crate::study::report::light::raster;
 use crate::study::report::light::room::{Reference, Room};
 use process::{Process, ProcessError};
 
+pub mod paths;
 pub mod pictures;
 pub mod process;
 
@@ -72,7 +74,7 @@ struct Row {
     error: f64,
 }
 
-/// Runs `rta bench --light --peer povray`.
+/// Runs `rta bench --light`.
 ///
 /// # Errors
 /// Those of reading a scene, and [`StudyError::Bench`] where a program fails.
@@ -86,7 +88,10 @@ pub fn run(args: &BenchArgs) -> Result<(), StudyError> {
     sources.iter().for_each(|source| inputs.add(&source.scene.inputs));
     let mut text = String::new();
     for source in &sources {
-        text += &compared(source, args)?;
+        text += &match args.peer {
+            Some(Peer::Mitsuba) => paths::compared(source, args)?,
+            _ => compared(source, args)?,
+        };
     }
     Ok(output::print(&text, &inputs)?)
 }
