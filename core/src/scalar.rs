@@ -214,6 +214,19 @@ pub trait Light: Number + PartialOrd + Summed<Weight = <Self as Light>::Unit> {
     fn plus(self, other: Self) -> Self;
     /// Returns the radiance times `factor`, 0 or more.
     fn times(self, factor: Self::Unit) -> Self;
+    /// Returns the radiance times a factor of any size.
+    fn scaled(self, by: <Self::Unit as Unit>::Positive) -> Self {
+        let (mut light, mut by) = (self, by);
+        // Fixed point multiplies by less than 2.
+        for _ in 0..32 {
+            if by.unit() <= Self::Unit::ONE {
+                break;
+            }
+            by = by.times(Positive::new(1, -1));
+            light = light.plus(light);
+        }
+        light.times(by.unit())
+    }
     /// Returns the nearest of the levels `0..=max` of a display whose level `max` is radiance 1.
     fn level(self, max: u8) -> u8;
 }

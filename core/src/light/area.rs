@@ -25,6 +25,13 @@ pub struct Square<S: Scalar> {
     pub least: (S, S::Inverse),
 }
 
+impl<S: Scalar> Square<S> {
+    /// Returns whether a place is on the side to which the lamp shines, where its middle is at `middle`.
+    pub fn shines_to(&self, place: Vec3<S>, middle: Vec3<S>) -> bool {
+        (place - middle).dot(self.normal) > S::ZERO
+    }
+}
+
 /// A place on a lamp as seen from a point of a surface.
 #[derive(Clone, Copy, Debug)]
 pub struct Glimpse<'l, S: Scalar> {
@@ -92,6 +99,7 @@ impl<'l, S: Scalar> Glimpse<'l, S> {
 
     /// Returns a place on a lamp that is a parallelogram, for a pair of numbers from 0 to 1, evenly spread over its area; `None` from the
     /// side to which it does not shine. `point` is a point lamp of its intensity in its middle.
+    #[cfg_attr(not(target_os = "none"), inline)] // paths do not ask for the direction of the middle
     pub fn of_square(
         point: &'l Lamp<S>,
         square: &Square<S>,

@@ -1,5 +1,4 @@
-//! `f32` and `f64` as scalars: glam's vectors, libm's square root. Nothing is fused and nothing is reordered, so the
-//! results are the same on every processor with IEEE 754 arithmetic.
+//! `f32` and `f64` as scalars: glam's vectors, libm's square root. Nothing is fused or reordered: results are those of any IEEE 754 processor.
 #![allow(clippy::float_arithmetic)] // the one file of the core that has floats
 
 use super::magnitude::size32;
@@ -123,6 +122,9 @@ macro_rules! float {
             fn times(self, factor: Self) -> Self {
                 self * factor
             }
+            fn scaled(self, by: Self) -> Self {
+                self * by
+            }
             #[cfg_attr(target_os = "none", inline(never))] // three registers ask
             #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a float's cast saturates
             fn level(self, max: u8) -> u8 {
@@ -184,8 +186,7 @@ macro_rules! float {
             fn over(self, slope: Self) -> Self {
                 (self / slope).min($far)
             }
-            /// A component of a foot point errs by at most `4 u (|b| + r)`, `u = EPSILON / 2`: the rounding of a product and a difference, and
-            /// the error of the direction's length. Two of three err by `7 EPSILON` of it; a little more than twice that is added.
+            /// A component of a foot errs by at most `4 u (|b| + r)`, `u = EPSILON / 2`; two of three by `7 EPSILON` of it. 16 are added.
             fn padded(self, distance: Self) -> Self {
                 self + 16.0 * <$f>::EPSILON * (distance.abs() + self)
             }
@@ -266,10 +267,9 @@ macro_rules! float {
                 let inverse = 1.0 / length;
                 if inverse < <$f>::INFINITY { Some((self * inverse, length, inverse)) } else { None }
             }
-            /// The place `p = c + r n` carries at most the rounding of its sum, `u |p|`, that of `r n`, `u r`, and `r`
-            /// times the error of the normal, about `4 u`, in each component, with `u = EPSILON / 2`. The offset is
-            /// `8 EPSILON (|p| + r)`, three times their sum: the rest answers for the rounding of the foot point when
-            /// the ray that leaves is tested against the surface it left.
+            /// The place `p = c + r n` carries at most the rounding of its sum, `u |p|`, that of `r n`, `u r`, and `r` times the error of the
+            /// normal, about `4 u`, in each component, with `u = EPSILON / 2`. The offset is `8 EPSILON (|p| + r)`, three times their sum: the
+            /// rest answers for the rounding of the foot point when the ray that leaves is tested against the surface it left.
             fn clearance(self, extent: $f) -> ($f, $f) {
                 let step = 8.0 * <$f>::EPSILON * (self.abs().max_element() + extent);
                 (step, 6.0 * step)

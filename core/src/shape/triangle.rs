@@ -32,19 +32,47 @@ pub struct Triangle<S: Scalar> {
     pub material: u16,
 }
 
-/// A hit of a triangle.
-struct Meeting<S: Scalar> {
-    distance: S,
-    /// The place relative to the first vertex.
-    place: Vec3<S>,
-    /// For each vertex, the area between the ray and the opposite edge as seen along an axis, of one sign.
-    areas: [S::Wide; 3],
+/// A ray that meets the plane of a triangle from a side on which this is seen, and comes as near to the first vertex as the longer edge
+/// there is long.
+struct Approach<S: Scalar> {
+    /// Distances of the vertices' feet on the ray.
+    along: [S; 3],
+    /// From the first vertex's foot to the vertex.
+    foot: Vec3<S>,
+    /// The others, relative to the ray's origin.
+    others: [Vec3<S>; 2],
+    /// Of the ray and the normal, which is not 0.
+    cosine: S::Unit,
+}
+
+impl<S: Scalar> Approach<S> {
+    /// Returns the way from the first vertex's foot along the ray to the plane.
+    #[inline]
+    fn way(&self, normal: UnitVec3<S>) -> S {
+        let ([b, ..], rise, is_upwards) = (self.along, self.foot.dot(normal), self.cosine > S::Unit::ZERO);
+        let size = if rise < S::ZERO { -rise } else { rise };
+        let way = size.over(if is_upwards { self.cosine } else { -self.cosine });
+        let way = if (rise > S::ZERO) == is_upwards { way } else { -way };
+        // No hit is beyond the vertices' own feet, even if the triangle is seen on edge.
+        let (least, most) = self.along.iter().fold((b, b), |(least, most), &along| {
+            (if along < least { along } else { least }, if along > most { along } else { most })
+        });
+        let way = if way < least - b { least - b } else { way };
+        if way > most - b { most - b } else { way }
+    }
+
+    /// Returns the areas of the ray with two vertices each; `None` where it does not pass between the three.
+    #[inline]
+    fn areas(&self, direction: UnitVec3<S>) -> Option<[S::Wide; 3]> {
+        let ([second, third], [_, b, c]) = (self.others, self.along);
+        areas::<S>(direction, [self.foot, second.reject(direction, b), third.reject(direction, c)])
+    }
 }
 
 impl<S: Scalar> Triangle<S> {
-    /// Returns the hit, if there is one below `t_max`.
+    /// Returns how a ray comes near, if it does so before `t_max`.
     #[inline]
-    fn meet(&self, ray: &Ray<S>, t_max: S) -> Option<Meeting<S>> {
+    fn approach(&self, ray: &Ray<S>, t_max: S) -> Option<Approach<S>> {
         let direction = ray.direction;
         let [corner, second, third] = self.vertices.map(|vertex| vertex - ray.origin);
         // A ray that leads away from the plane, as most do that begin on it.
@@ -67,24 +95,7 @@ impl<S: Scalar> Triangle<S> {
             return None;
         }
         let along = [b, second.dot(direction), third.dot(direction)];
-        let areas = areas::<S>(
-            direction,
-            [foot, second.reject(direction, along[1]), third.reject(direction, along[2])],
-        )?;
-        // `way` leads from the foot point of the corner along the ray to the plane.
-        let rise = foot.dot(self.normal);
-        let size = if rise < S::ZERO { -rise } else { rise };
-        let way = size.over(if is_upwards { cosine } else { -cosine });
-        let way = if (rise > S::ZERO) == is_upwards { way } else { -way };
-        // No hit is beyond the vertices' own feet, even if the triangle is seen on edge.
-        let (least, most) = along.iter().fold((b, b), |(least, most), &along| {
-            (if along < least { along } else { least }, if along > most { along } else { most })
-        });
-        let way = if way < least - b { least - b } else { way };
-        let way = if way > most - b { most - b } else { way };
-        let distance = b + way;
-        let is_met = distance > S::ZERO && distance < t_max;
-        is_met.then(|| Meeting { distance, place: (-foot).along(direction, way), areas })
+        Some(Approach { along, foot, others: [second, third], cosine })
     }
 
     /// Returns the place in the middle: the mean of the vertices.
@@ -169,22 +180,29 @@ impl<S: Scalar> Move<S> for Triangle<S> {
 impl<S: Scalar> Primitive<S> for Triangle<S> {
     #[inline]
     fn intersect(&self, ray: &Ray<S>, t_max: S) -> Option<S> {
-        self.meet(ray, t_max).map(|meeting| meeting.distance)
+        let approach = self.approach(ray, t_max)?;
+        approach.areas(ray.direction)?;
+        let [b, ..] = approach.along;
+        let distance = b + approach.way(self.normal);
+        (distance > S::ZERO && distance < t_max).then_some(distance)
     }
 
     fn point<N: Needs>(&self, ray: &Ray<S>, t: S) -> SurfacePoint<S> {
-        let Some(Meeting { distance, place, areas }) = self.meet(ray, S::FAR) else {
+        let Some(approach) = self.approach(ray, S::FAR) else {
             return SurfacePoint {
                 distance: t,
                 point: ray.origin.along(ray.direction, t),
                 normal: self.normal,
             };
         };
+        let ([b, ..], way) = (approach.along, approach.way(self.normal));
+        let (distance, place) = (b + way, (-approach.foot).along(ray.direction, way));
         // Project the place back into the plane, which rounding has left.
         let place = place.reject(self.normal, place.dot(self.normal));
         let mut normal = self.normal;
         if N::NORMALS
             && let Some(normals) = self.normals
+            && let Some(areas) = approach.areas(ray.direction)
             && let Some(curved) = Self::curved(areas, normals)
             // Use the flat normal where the interpolated one is on the other side of the ray.
             && (curved.dot(ray.direction) > S::Unit::ZERO) == (normal.dot(ray.direction) > S::Unit::ZERO)

@@ -41,8 +41,9 @@ use crate::world::Seen;
 pub struct Rules {
     /// The most bounces of a path between the eye and the surface, the sky or the lamp where its light comes from.
     pub bounces: u8,
-    /// The first bounce at which a path may end by chance (Russian roulette; J. Arvo and D. Kirk, "Particle Transport and Image Synthesis",
-    /// SIGGRAPH 90); `None` if none does. It goes on with the chance of its largest register, .95 at most.
+    /// The first bounce at which any path may end by chance (Russian roulette; J. Arvo and D. Kirk, "Particle Transport and Image Synthesis",
+    /// SIGGRAPH 90): it goes on with the chance of 4/3 of its largest register, .95 at most. Before it, paths end so whose registers are all
+    /// below 3/4, and no others. `None` if none ends.
     pub roulette: Option<u8>,
     /// How lamps are asked at the points that a path meets.
     pub lamps: Asked,
@@ -53,7 +54,7 @@ pub struct Rules {
 }
 
 impl Default for Rules {
-    /// 64 bounces at most, roulette from the fourth, one lamp at each point, weighed.
+    /// 64 bounces at most, roulette for any path from the fourth, one lamp at each point, weighed.
     fn default() -> Self {
         Self { bounces: 64, roulette: Some(4), lamps: Asked::One, weighs: true }
     }
@@ -147,8 +148,11 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Acceler
         let surface = met?;
         // Node 1 is where the ray from the eye ends.
         let node = u32::from(bounce) + 1;
-        let may_end = self.rules.roulette.is_some_and(|first| bounce.saturating_add(1) >= first);
-        let lobes = Lobes::of::<M, N>(&tracer.model, &surface, (dice, node), (path.weight, may_end));
+        let most = self.rules.roulette.map(|first| {
+            let may_all_end = bounce.saturating_add(1) >= first;
+            if may_all_end { S::Unit::ratio(19, 20) } else { S::Unit::ONE }
+        });
+        let lobes = Lobes::of::<M, N>(&tracer.model, &surface, (dice, node), (path.weight, most));
         if lobes.is_black() {
             return None;
         }
@@ -157,12 +161,13 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Acceler
             return None;
         }
         // Where there is nothing to choose, no numbers are drawn for it.
-        let chooses = lobes.chooses() || (self.rules.lamps == Asked::One && self.count() > 1);
-        let [which, how] = if chooses { dice.words(Purpose::Choice, node) } else { [0; 2] };
+        let asks_one = self.rules.lamps == Asked::One && self.count() > 1;
+        let [which, how] =
+            if asks_one || lobes.is_rough() { dice.words(Purpose::Choice, node) } else { [0; 2] };
         let direct = self.lit((&surface, &lobes), (which, dice, node), memory, observer);
         *light = light.plus(scaled::<S>(direct, path.weight));
-        let lobe = lobes.choose(how)?;
-        let next = lobes.follow::<N>(lobe, &surface, dice.words(Purpose::Lobe, node))?;
+        let (lobe, pair) = lobes.choose(dice.words(Purpose::Lobe, node), how)?;
+        let next = lobes.follow::<N>(lobe, &surface, pair)?;
         let weight = path.weight.zip(next.part, Positive::times);
         if N::SURROUNDINGS && surface.surroundings && lobe == lobes::REFLECTED {
             let sky = tracer.scene.scene.radiance::<N>(next.start.direction);

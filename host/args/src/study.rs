@@ -42,10 +42,10 @@ pub struct BenchArgs {
     /// Another ray tracer that renders the same scenes in turn with rta
     #[arg(long, value_enum, ignore_case = true, value_name = "PROGRAM", conflicts_with_all = ["record", "check"])]
     pub peer: Option<Peer>,
-    /// Compare light that goes round: a room by two passes, and by the other's radiosity
+    /// Compare light that goes round: a room by two passes, and by the other's radiosity; beside Mitsuba by paths of both
     ///
     /// The error of both is against a picture of converged paths, after the scaling by one factor that suits best; costs are CPU time and
-    /// instructions of whole processes. Without a scene the Cornell box.
+    /// instructions of whole processes, and for paths the CPU time of drawing alone. Without a scene the Cornell box.
     #[arg(long, requires = "peer", conflicts_with_all = ["record", "check", "scaling"])]
     pub light: bool,
     /// Compare soft shadows and what is out of focus: at several settings of both, the error against a converged picture of its own
@@ -69,6 +69,8 @@ pub struct BenchArgs {
 pub enum Peer {
     /// POV-Ray 3.7, one thread: the time that it says tracing took, without parsing.
     Povray,
+    /// Mitsuba 3, scalar, by its module for Python 3: paths in a room, with --light alone.
+    Mitsuba,
 }
 
 /// `rta traced`.

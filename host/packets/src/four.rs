@@ -16,5 +16,5 @@ pub(crate) mod surfaces;
 mod tests;
 pub(crate) mod trace;
 pub(crate) mod transmittance;
-mod triangle;
+pub(crate) mod triangle;
 pub(crate) mod vector;

@@ -5,8 +5,9 @@ use core::num::NonZeroU32;
 
 use glam::Vec4;
 use rta_core::scene::Object;
+use rta_core::shape::Triangle;
 
-use crate::four::vector::{Vec3x4, pick};
+use crate::four::vector::{Vec3x4, pick, set};
 
 /// The greatest number of levels of nodes in a hierarchy.
 pub(crate) const MAX_DEPTH: usize = 21;
@@ -92,7 +93,7 @@ pub(crate) struct Sphere4 {
     pub(crate) items: [Object; 4],
     /// Where there are cones among them, the number of their [`Cone4`]; else [`Sphere4::NO_CONES`].
     pub(crate) cones: u32,
-    /// Where there are triangles among them, the number of their [`Triangle4`]; else [`Sphere4::NO_TRIANGLES`].
+    /// Where there are triangles among them, the number of their [`Triangle4`], or in `f32` their [`Exact4`]; else [`Sphere4::NO_TRIANGLES`].
     pub(crate) triangles: u32,
 }
 
@@ -158,6 +159,56 @@ impl Triangle4 {
         inward: [[Vec4::NAN; 3]; 3],
         height: Vec4::NAN,
     };
+}
+
+/// Four triangles in `f32`, as the picture has them, so that the search finds their hits itself.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Exact4 {
+    pub(crate) vertices: [Vec3x4; 3],
+    pub(crate) normal: Vec3x4,
+    /// The longer of the edges at the first vertices.
+    pub(crate) extent: Vec4,
+    /// How far a plane must be above a ray that meets it from behind: 0, or infinity where the triangle is seen from one side alone.
+    pub(crate) back: Vec4,
+    /// A bit for each that is there.
+    pub(crate) which: u32,
+}
+
+impl Exact4 {
+    /// No triangles, which no ray meets.
+    pub(crate) const EMPTY: Self = {
+        let nothing = Vec3x4([Vec4::NAN; 3]);
+        Self { vertices: [nothing; 3], normal: nothing, extent: Vec4::NAN, back: Vec4::NAN, which: 0 }
+    };
+
+    /// One triangle, four times.
+    #[inline(always)]
+    pub(crate) fn splat(triangle: &Triangle<f32>) -> Self {
+        Self {
+            vertices: triangle.vertices.map(Vec3x4::splat),
+            normal: Vec3x4::splat(triangle.normal),
+            extent: Vec4::splat(triangle.extent),
+            back: Vec4::splat(back(triangle)),
+            which: 15,
+        }
+    }
+
+    /// Changes one of them.
+    pub(crate) fn set(&mut self, k: usize, triangle: &Triangle<f32>) {
+        for (four, vertex) in self.vertices.iter_mut().zip(triangle.vertices) {
+            four.set(k, vertex);
+        }
+        self.normal.set(k, triangle.normal);
+        set(&mut self.extent, k, triangle.extent);
+        set(&mut self.back, k, back(triangle));
+        self.which |= 1 << (k & 3);
+    }
+}
+
+/// Returns the triangle's part of [`Exact4::back`].
+#[inline(always)]
+fn back(triangle: &Triangle<f32>) -> f32 {
+    if triangle.one_sided { f32::INFINITY } else { 0.0 }
 }
 
 /// Four vertical cylinders, seen from above.

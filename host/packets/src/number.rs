@@ -27,6 +27,13 @@ pub trait ToF32: Scalar {
     fn of_sphere(_along: f32, _across: f32, _radius: f32, _t_max: Self) -> Option<Option<Self>> {
         None
     }
+
+    /// Returns the distance at which a ray meets a triangle in ]0, `t_max`[ from what the search knows of it: that distance, and the least at
+    /// which anything of the triangle may be. Nothing in a format that is finer or coarser than `f32`.
+    #[inline]
+    fn of_triangle(_distance: f32, _begin: f32, _t_max: Self) -> Option<Option<Self>> {
+        None
+    }
 }
 
 /// What is rounded to an `f32` is wrong by half an EPSILON of `far`, and a foot point in `f32` by 14 EPSILON of its distance,
@@ -72,6 +79,11 @@ float!(f32, {
         let (near, far) = (along - half, along + half);
         let t = if near > 0.0 { near } else { far };
         Some((t > 0.0 && t < t_max).then_some(t))
+    }
+    /// The search has done the triangle's own arithmetic, in its order.
+    #[inline]
+    fn of_triangle(distance: f32, begin: f32, t_max: f32) -> Option<Option<f32>> {
+        Some((distance < t_max && begin < t_max).then_some(distance))
     }
 });
 float!(f64, {});

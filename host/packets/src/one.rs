@@ -75,15 +75,13 @@ impl<S: ToF32> Accelerator<S> for &Packets {
         if self.is_too_large {
             return through_lists::<S, N>(world, ray, t_max);
         }
-        // Not returned by what fills it, as it would be copied whole.
-        let mut filters = Filters::new();
+        // Not returned by what fills it, as it would be copied whole; and made only where something is transparent.
+        let mut filters = None;
         let is_open = shadow::is_open::<S, N>(self, world, ray, t_max, (lamp, cache), &mut filters);
         if !is_open || world.floor::<N>(ray).is_some_and(|t| t < t_max) {
             return S::Unit::ZERO;
         }
-        if filters.is_empty() {
-            return S::Unit::ONE;
-        }
+        let Some(filters) = filters else { return S::Unit::ONE };
         filters.product().unwrap_or_else(|| through_lists::<S, N>(world, ray, t_max))
     }
 }
@@ -268,6 +266,12 @@ fn meet<S: ToF32, N: Needs>(
             let distance = world.scene.spheres.get(index(i))?.intersect(ray, t_max)?;
             return Some(Hit { distance, object });
         }
+    }
+    if let Object::Triangle(_) = object
+        && N::TRIANGLES
+        && let Some(distance) = query.triangle(mask, k, t_max)
+    {
+        return Some(Hit { distance: distance?, object });
     }
     Some(Hit { distance: distance::<S, N>(world, object, ray, t_max)?, object })
 }

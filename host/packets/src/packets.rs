@@ -1,6 +1,6 @@
 //! The lists that the search goes by.
 
-use crate::leaf::{Boxes, Column4, Cone4, Sphere4, Triangle4};
+use crate::leaf::{Boxes, Column4, Cone4, Exact4, Sphere4, Triangle4};
 use crate::light_buffer::LightBuffers;
 
 /// How a processor with SIMD registers searches a scene: a hierarchy over all finite objects and all visible lamps, the vertical
@@ -20,6 +20,8 @@ pub struct Packets {
     pub(crate) cones: Vec<Cone4>,
     /// Planes of the triangles among them, named by leaves.
     pub(crate) triangles: Vec<Triangle4>,
+    /// In `f32`, in their place, the triangles themselves.
+    pub(crate) exact: Vec<Exact4>,
     /// Vertical cylinders, four by four, in the order of their list.
     pub(crate) columns: Vec<Column4>,
     /// What is seen from the eye, and from the first lamps; nothing without nodes.

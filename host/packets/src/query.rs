@@ -4,6 +4,7 @@ use glam::Vec4;
 use heapless::Vec;
 use rta_core::ray::Ray;
 
+use crate::four::vector::lane;
 use crate::leaf::{Bits, Boxes, Child, Column4, MAX_DEPTH, Sphere4, index};
 use crate::number::ToF32;
 use crate::packets::Packets;
@@ -65,9 +66,15 @@ impl<'a> Query<'a> {
             met.mask &= cones.map_or(met.mask, |cones| self.rays.meet_cones(leaf.center, cones));
         }
         if met.mask != 0 && leaf.triangles != Sphere4::NO_TRIANGLES {
-            let triangles = self.packets.triangles.get(index(leaf.triangles));
-            met.mask &=
-                triangles.map_or(met.mask, |triangles| self.rays.meet_triangles::<S>(triangles, met.mask));
+            if !S::IS_F32 {
+                let triangles = self.packets.triangles.get(index(leaf.triangles));
+                met.mask &=
+                    triangles.map_or(met.mask, |triangles| self.rays.meet_triangles(triangles, met.mask));
+            } else if self.ray.margin < f32::INFINITY
+                && let Some(triangles) = self.packets.exact.get(index(leaf.triangles))
+            {
+                self.rays.find_triangles(triangles, &mut met);
+            }
         }
         met
     }
@@ -87,6 +94,16 @@ impl<'a> Query<'a> {
         }
         let lane = |four: &Vec4| four.as_ref().get(k).copied();
         S::of_sphere(lane(&met.along)?, lane(&met.across)?, lane(&leaf.radius)?, t_max)
+    }
+
+    /// The distance of a hit nearer than `t_max`, if item `k` of a leaf is a triangle. Nothing where it has to be asked itself, as
+    /// [`Query::sphere`].
+    #[inline(always)]
+    pub(crate) fn triangle<S: ToF32>(&self, met: &Mask, k: usize, t_max: S) -> Option<Option<S>> {
+        if met.triangles >> k & 1 == 0 {
+            return None;
+        }
+        S::of_triangle(lane(&met.distance, k), lane(&met.begin, k), t_max)
     }
 
     /// Which of four vertical cylinders the ray may meet ahead and before its end.

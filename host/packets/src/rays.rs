@@ -4,7 +4,10 @@ use glam::Vec4;
 use rta_core::ray::Ray;
 use rta_core::vector::Vector;
 
-use crate::leaf::{Bits, Cone4, LARGEST, Triangle4};
+use crate::four::geometry::Ray4;
+use crate::four::triangle::Met4;
+use crate::four::vector::Vec3x4;
+use crate::leaf::{Bits, Cone4, Exact4, LARGEST, Triangle4};
 use crate::number::ToF32;
 
 /// A ray in `f32`.
@@ -54,7 +57,8 @@ impl Rays {
         let across = x * x + y * y + z * z;
         let r = radius + Vec4::splat(self.margin);
         let is_along = (b + r).cmpgt(Vec4::ZERO) & (b - r).cmplt(self.t_max);
-        Mask { mask: (across.cmple(r * r) & is_along).bitmask(), along: b, across }
+        let mask = (across.cmple(r * r) & is_along).bitmask();
+        Mask { mask, along: b, across, triangles: 0, distance: Vec4::ZERO, begin: Vec4::ZERO }
     }
 
     /// A bit for each vertical cylinder that a ray may meet ahead and before its end: as [`Rays::meet_cones`] sees it. The way
@@ -71,26 +75,17 @@ impl Rays {
 
     /// Of the triangles in `mask`, those that a ray may meet.
     ///
-    /// In `f32` those are left out that it leads away from, by the first test of [`Triangle`](rta_core::shape::Triangle) and its arithmetic;
-    /// but for a ray from too far away, whose numbers are not its own. Then those are left out whose plane it meets beyond an
-    /// edge, by the part `cosine` of how far. A triangle's own test moves an edge by no more than a foot point errs, one margin at
-    /// most, and these sums err by less than 60 EPSILON of `far`: four margins are more.
+    /// Those are left out whose plane it meets beyond an edge, by the part `cosine` of how far. A triangle's own test moves an edge by no more
+    /// than a foot point errs, one margin at most, and these sums err by less than 60 EPSILON of `far`: four margins are more.
     #[inline(always)]
-    pub(crate) fn meet_triangles<S: ToF32>(&self, triangles: &Triangle4, mask: u32) -> u32 {
+    pub(crate) fn meet_triangles(&self, triangles: &Triangle4, mask: u32) -> u32 {
         let ([ox, oy, oz], [dx, dy, dz]) = (self.origin, self.direction);
         let ([x, y, z], [nx, ny, nz]) = (triangles.corner, triangles.normal);
         let (x, y, z) = (x - ox, y - oy, z - oz);
         let height = x * nx + y * ny + z * nz;
         let cosine = nx * dx + ny * dy + nz * dz;
-        let (zero, mut mask) = (Vec4::ZERO, mask);
+        let zero = Vec4::ZERO;
         let is_upwards = cosine.cmpgt(zero);
-        if S::IS_F32 && self.margin < f32::INFINITY {
-            let behind = (is_upwards & height.cmple(zero)) | (cosine.cmple(zero) & height.cmpge(zero));
-            mask &= !behind.bitmask();
-        }
-        if mask == 0 {
-            return 0;
-        }
         let least = Vec4::splat(-4.0 * self.margin);
         let [first, second, third] = triangles
             .inward
@@ -101,6 +96,21 @@ impl Rays {
         let is_downwards =
             cosine.cmplt(zero) & (first.cmpgt(-least) | second.cmpgt(-least) | third.cmpgt(-least));
         mask & !(is_upwards | is_downwards).bitmask()
+    }
+
+    /// Finds where a ray, in `f32`, meets the triangles of a leaf. Of what else is in the leaf nothing changes.
+    #[inline(always)]
+    pub(crate) fn find_triangles(&self, triangles: &Exact4, met: &mut Mask) {
+        let ray = Ray4 { origin: Vec3x4(self.origin), direction: Vec3x4(self.direction) };
+        let margin = Vec4::splat(4.0 * self.margin);
+        met.mask &= ray.meet_planes(triangles, self.t_max, margin).bitmask() | !triangles.which;
+        if met.mask & triangles.which == 0 {
+            return;
+        }
+        let Met4 { is_met, distance, begin } = ray.meet_triangles(triangles, self.t_max);
+        let found = is_met.bitmask() & triangles.which;
+        met.mask &= found | !triangles.which;
+        (met.triangles, met.distance, met.begin) = (found, distance, begin);
     }
 
     /// A bit for each cylinder that a ray meets if it is endless too. The nearest of the two lines is `|s| / |n|`, with `n`
@@ -124,6 +134,10 @@ pub(crate) struct Mask {
     pub(crate) along: Vec4,
     /// The square of how far the foot point is from the centre.
     pub(crate) across: Vec4,
+    /// A bit for each triangle that is met; else 0. Then the distances at which they are, and the least at which anything of them may be.
+    pub(crate) triangles: u32,
+    pub(crate) distance: Vec4,
+    pub(crate) begin: Vec4,
 }
 
 impl Mask {

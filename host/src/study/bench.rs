@@ -7,6 +7,7 @@
 //! | the same scenes in POV-Ray | [`povray`], [`peer`] |
 //! | error against cost, beside POV-Ray | [`beside`] |
 //! | light that goes round, beside POV-Ray's radiosity | [`light`] |
+//! | paths in a room, beside Mitsuba's | [`mod@mitsuba`], [`light`] |
 //! | soft shadows and what is out of focus, beside POV-Ray's | [`spread`] |
 //! | the table | [`markdown`] |
 //! | instructions that are recorded, and counted again | [`drift`] |
@@ -15,7 +16,7 @@ use core::sync::atomic::{AtomicBool, Ordering};
 use core::time::Duration;
 use std::io::{self, Write};
 
-use crate::args::BenchArgs;
+use crate::args::{self, BenchArgs};
 use crate::engine::callgrind::CountError;
 use crate::engine::interrupt;
 use crate::engine::progress::Progress;
@@ -29,6 +30,7 @@ pub mod case;
 pub mod child;
 pub mod drift;
 pub mod light;
+pub mod mitsuba;
 pub mod peer;
 pub mod povray;
 pub mod spheres;
@@ -64,6 +66,9 @@ pub fn run(args: &BenchArgs) -> Result<(), StudyError> {
     }
     if args.spread {
         return spread::run(args);
+    }
+    if args.peer == Some(args::Peer::Mitsuba) {
+        return Err(StudyError::PathsAlone);
     }
     let stop = interrupt::watch();
     if let Some(file) = &args.record {

@@ -47,6 +47,9 @@ pub enum StudyError {
     /// The contact sheet was to go where the table goes.
     #[error("the table goes to standard output: --sheet needs the name of a file")]
     SheetToStdout,
+    /// Pictures of ray trees were to be compared with Mitsuba.
+    #[error("rta bench compares paths alone with mitsuba: --light --peer mitsuba")]
+    PathsAlone,
     /// The program has no scene of its own by this name.
     #[error("there is no scene {0} in the program")]
     NoScene(String),

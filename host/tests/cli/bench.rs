@@ -177,6 +177,31 @@ fn soft_shadows_are_set_beside_the_peers() {
 }
 
 #[test]
+fn paths_are_followed_beside_mitsubas() {
+    let folder = Folder::new();
+    folder.scene("room.rta", ROOM);
+    let asked = ["bench", "room.rta", "--light", "--peer", "mitsuba", "--runs", "1"];
+    let ended = folder.command(&asked).env("PATH", "/nowhere").output().unwrap();
+    let said = String::from_utf8(ended.stderr).unwrap();
+    assert!(ended.status.code() == Some(2) && said.contains("python3 cannot be started"), "{said}");
+    let python = Command::new("python3").args(["-c", "import mitsuba"]).stderr(Stdio::null()).status();
+    if python.is_ok_and(|status| status.success()) {
+        let text = folder.prints(&asked);
+        let rows = rows(text.strip_prefix("room, 8x8, paths:\n\n").expect("a title"));
+        assert_eq!(rows.len(), 6, "{text}");
+        for row in rows.iter().filter(|row| cell(row, "samples") == "64") {
+            // Both have one unit of light.
+            let number = |name: &str| cell(row, name).parse::<f64>().unwrap();
+            assert!((number("factor") - 1.0).abs() < 0.05 && number("RMSE") < 0.025, "{text}");
+        }
+    } else if is_installed("python3") {
+        let ended = folder.rta(&asked);
+        let said = String::from_utf8(ended.stderr).unwrap();
+        assert!(ended.status.code() == Some(2) && said.contains("mitsuba is not installed"), "{said}");
+    }
+}
+
+#[test]
 fn instructions_are_recorded_and_checked() {
     let folder = Folder::new();
     let check = ["bench", "--check", "now.csv", "--size", "8x5"];

@@ -120,6 +120,8 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Acceler
     }
 
     /// Returns the radiance that a surface sends back of a place on a lamp.
+    // What it prepares would be prepared for no lamp too: 3 % of the instructions of paths in the Cornell box.
+    #[cfg_attr(not(target_os = "none"), inline(never))]
     fn of_lamp<O: Observer<S> + ?Sized>(
         &self,
         (surface, lobes): (&Surface<S>, &Lobes<S>),
@@ -135,7 +137,11 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Acceler
         let pair = || dice.of_lamp(number).words(Purpose::Lamp, node).map(S::Unit::of_word);
         let point = Lamp { radius: S::ZERO, ..*lamp };
         let Glimpse { place, lamp: shown } = match square {
-            Some(square) if N::SQUARE_LAMPS => Glimpse::of_square(&point, square, from, pair())?,
+            Some(square) if N::SQUARE_LAMPS => {
+                // From behind, nothing of it is seen, and no numbers are drawn for its places.
+                let is_before = square.shines_to(surface.point, lamp.position);
+                Glimpse::of_square(&point, square, from, is_before.then(pair)?)?
+            }
             _ if N::AREA_LAMPS && lamp.radius > S::ZERO => {
                 Glimpse::of_sphere(&point, (lamp.radius, lamp.inverse_radius), from, pair())
             }

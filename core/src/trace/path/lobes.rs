@@ -63,12 +63,13 @@ pub(super) struct Next<S: Scalar> {
 }
 
 impl<S: Scalar> Lobes<S> {
-    /// Returns the lobes of a surface at a node of a path of this weight. `may_end` says whether the path may end there by chance.
+    /// Returns the lobes of a surface at a node of a path of this weight. `most` is the largest chance with which the path goes on where it
+    /// may end there by chance.
     pub(super) fn of<M: Illumination<S>, N: Needs>(
         model: &M,
         surface: &Surface<S>,
         (dice, node): (&Thrown<S>, u32),
-        (weight, may_end): (Rgb<S::Power>, bool),
+        (weight, most): (Rgb<S::Power>, Option<S::Unit>),
     ) -> Self {
         let black = surface.color.map(|_| S::Unit::ZERO);
         let diffuse = model.diffuse::<N>(surface);
@@ -101,7 +102,7 @@ impl<S: Scalar> Lobes<S> {
             }
         }
         let parts = [diffuse, reflected, transmitted];
-        let (chances, may_end) = chances::<S>(parts, weight, may_end);
+        let (chances, may_end) = chances::<S>(parts, weight, most);
         Self { parts, chances, may_end, facets, normal, through }
     }
 
@@ -126,38 +127,45 @@ impl<S: Scalar> Lobes<S> {
         self.facets.filter(|_| self.through.is_none())
     }
 
-    /// Returns whether a number decides which lobe the path takes, or whether it ends.
-    pub(super) fn chooses(&self) -> bool {
-        self.may_end || self.chances.iter().filter(|chance| **chance > S::Unit::ZERO).count() > 1
+    /// Returns whether the surface has facets.
+    pub(super) fn is_rough(&self) -> bool {
+        self.facets.is_some()
     }
 
-    /// Returns the lobe that the path takes by a number of 32 bits behind the point; `None` where it ends.
-    pub(super) fn choose(&self, word: u32) -> Option<usize> {
-        let (number, mut below, mut chosen) = (S::Unit::of_word(word), S::Unit::ZERO, None);
+    /// Returns the lobe that the path takes, and a pair of numbers from 0 to 1 for its direction; `None` where the path ends. `words` are
+    /// numbers of 32 bits behind the point. The first of them decides, and what it is within the part of the lobe is a number again: so
+    /// the samples of a pixel end as evenly as they go on. Where they have chosen a facet already, `other` decides.
+    pub(super) fn choose(&self, words: [u32; 2], other: u32) -> Option<(usize, [S::Unit; 2])> {
+        let [first, second] = words.map(S::Unit::of_word);
+        let number = if self.is_rough() { S::Unit::of_word(other) } else { first };
+        let (mut below, mut chosen) = (S::Unit::ZERO, None);
         for (lobe, &chance) in self.chances.iter().enumerate() {
             if chance > S::Unit::ZERO {
-                (below, chosen) = (below + chance, Some(lobe));
+                chosen = Some((lobe, number - below, chance));
+                below = below + chance;
                 if number < below {
-                    return chosen;
+                    break;
                 }
             }
         }
         // Chances that are to add up to 1 may round to less.
-        if self.may_end { None } else { chosen }
+        let (lobe, within, chance) = chosen.filter(|_| number < below || !self.may_end)?;
+        let part = if self.is_rough() { first } else { within.quotient(chance) };
+        Some((lobe, [if part < S::Unit::ONE { part } else { S::Unit::ONE }, second]))
     }
 
-    /// Returns how the path goes on by a lobe; `None` where its light is lost behind the surface. `words` choose a diffuse direction.
+    /// Returns how the path goes on by a lobe; `None` where its light is lost behind the surface. `pair` chooses a diffuse direction.
     pub(super) fn follow<N: Needs>(
         &self,
         lobe: usize,
         surface: &Surface<S>,
-        words: [u32; 2],
+        pair: [S::Unit; 2],
     ) -> Option<Next<S>> {
         let chance = self.chance(lobe).positive();
         let part = self.part(lobe).map(|part| part.positive().over(chance));
         let from = surface.point;
         if lobe == DIFFUSE {
-            let direction = hemisphere::<S>(surface.normal, words.map(S::Unit::of_word));
+            let direction = hemisphere::<S>(surface.normal, pair);
             let cosine = surface.normal.dot(direction);
             let left = Left::Diffuse(Chance { density: cosine.positive().times(chance), cosine, from });
             return Some(Next { start: leaving::<S, N>(surface, direction, true), part, left });
@@ -185,29 +193,29 @@ impl<S: Scalar> Lobes<S> {
 }
 
 /// Returns the chance of each lobe, and whether the path may end: the lobes share that by their largest registers in the pixel, which are
-/// then of one size.
+/// then of one size. `most` is the largest chance to go on, where it may end.
+///
+/// It goes on with the chance of 4/3 of its registers, so that those of a path that has gone on for long are about 3/4. In the Cornell box
+/// with 16 samples, four fifths of the rays are traced that are where all paths go on up to the fourth bounce, with 1.1 times the rms.
 fn chances<S: Scalar>(
     parts: [Rgb<S::Unit>; 3],
     weight: Rgb<S::Power>,
-    may_end: bool,
+    most: Option<S::Unit>,
 ) -> ([S::Unit; 3], bool) {
-    let (zero, one, most) = (S::Unit::ZERO, S::Unit::ONE, S::Unit::ratio(19, 20));
+    let (zero, one) = (S::Unit::ZERO, S::Unit::ONE);
     let sizes =
         parts.map(|part| largest::<S>(weight.zip(part, |weight, part| weight.times(part.positive()))));
     let [diffuse, reflected, transmitted] = sizes;
     let whole = diffuse.plus(reflected).plus(transmitted);
     if whole == zero.positive() {
-        return ([zero; 3], may_end);
+        return ([zero; 3], false);
     }
-    let rest = whole.unit();
-    let goes_on = if !may_end {
-        one
-    } else if rest < most {
-        rest
-    } else {
-        most
-    };
-    (sizes.map(|size| size.over(whole).unit().times(goes_on)), may_end)
+    let goes_on = most.map_or(one, |most| {
+        let rest = whole.unit();
+        let chance = if rest < S::Unit::ratio(3, 4) { rest.times(S::Unit::ratio(4, 3)) } else { one };
+        if chance < most { chance } else { most }
+    });
+    (sizes.map(|size| size.over(whole).unit().times(goes_on)), goes_on < one)
 }
 
 fn largest<S: Scalar>(of: Rgb<S::Power>) -> S::Power {
@@ -236,16 +244,5 @@ fn leaving<S: Scalar, N: Needs>(surface: &Surface<S>, direction: UnitVec3<S>, le
 
 /// Returns light times factors of any size.
 pub(super) fn scaled<S: Scalar>(light: Rgb<S::Light>, by: Rgb<S::Power>) -> Rgb<S::Light> {
-    light.zip(by, |light, by| {
-        let (mut light, mut by) = (light, by);
-        // Fixed point multiplies by less than 2.
-        for _ in 0..32 {
-            if by.unit() <= S::Unit::ONE {
-                break;
-            }
-            by = by.times(S::Power::new(1, -1));
-            light = light.plus(light);
-        }
-        light.times(by.unit())
-    })
+    light.zip(by, Light::scaled)
 }

@@ -1,4 +1,4 @@
-//! Triangles and four rays at once, with the arithmetic of [`Triangle`].
+//! Triangles and four rays at once, or one ray and four triangles, with the arithmetic of [`Triangle`].
 
 use glam::{BVec4A, Vec3, Vec4};
 use rta_core::Scalar;
@@ -6,6 +6,17 @@ use rta_core::shape::Triangle;
 
 use super::geometry::{Ray4, SurfacePoint4};
 use super::vector::Vec3x4;
+use crate::leaf::Exact4;
+
+/// Where four rays meet triangles.
+pub(crate) struct Met4 {
+    /// Which of them do.
+    pub(crate) is_met: BVec4A,
+    /// How far away.
+    pub(crate) distance: Vec4,
+    /// The least distance at which anything of the triangle may be: one that is not below `t_max` is not met.
+    pub(crate) begin: Vec4,
+}
 
 /// Four rays and the planes of triangles, relative to their first vertices.
 struct Feet {
@@ -43,26 +54,43 @@ impl Ray4 {
     /// Which of them meet a triangle before `t_max`, and how far away: four times [`Triangle::intersect`].
     #[inline(always)]
     pub(crate) fn meet_triangle(&self, triangle: &Triangle<f32>, t_max: Vec4) -> (BVec4A, Vec4) {
-        let (normal, zero) = (Vec3x4::splat(triangle.normal), Vec4::ZERO);
-        let vertices = triangle.vertices.map(|vertex| Vec3x4::splat(vertex) - self.origin);
+        let Met4 { is_met, distance, .. } = self.meet_triangles(&Exact4::splat(triangle), t_max);
+        (is_met, distance)
+    }
+
+    /// Which of them meet the planes of triangles ahead and before `t_max`, or a little beyond: each ray that meets its triangle before `t_max` is
+    /// among them. The way to a plane, times the cosine, is the height; the triangle's own test computes the way from feet on the ray, with an
+    /// error that comes to less than the margin of a foot in height. `margin` is four of these.
+    #[inline(always)]
+    pub(crate) fn meet_planes(&self, triangles: &Exact4, t_max: Vec4, margin: Vec4) -> BVec4A {
+        let [corner, ..] = triangles.vertices;
+        let (height, cosine) =
+            ((corner - self.origin).dot(triangles.normal), triangles.normal.dot(self.direction));
+        let is_near = height.abs().cmple(cosine.abs() * t_max + margin);
+        is_near & is_ahead(triangles, height, cosine)
+    }
+
+    /// Where each meets its triangle before `t_max`: four times [`Triangle::intersect`].
+    #[inline(always)]
+    pub(crate) fn meet_triangles(&self, triangles: &Exact4, t_max: Vec4) -> Met4 {
+        let (normal, zero) = (triangles.normal, Vec4::ZERO);
+        let vertices = triangles.vertices.map(|vertex| vertex - self.origin);
         let (height, cosine) = (vertices[0].dot(normal), normal.dot(self.direction));
-        let mut is_ahead = cosine.cmplt(zero) & height.cmplt(zero);
-        if !triangle.one_sided {
-            is_ahead |= cosine.cmpgt(zero) & height.cmpgt(zero);
-        }
+        let is_ahead = is_ahead(triangles, height, cosine);
         if !is_ahead.any() {
-            return (is_ahead, zero);
+            return Met4 { is_met: is_ahead, distance: zero, begin: zero };
         }
         let feet = Feet::new(vertices, normal, cosine, self.direction);
-        let ([b, second, third], extent) = (feet.along, Vec4::splat(triangle.extent));
-        let reach = extent + Vec4::splat(16.0 * f32::EPSILON) * (b.abs() + extent);
-        let is_near = (b + extent).cmpgt(zero)
-            & (b - extent).cmplt(t_max)
-            & feet.foot.dot(feet.foot).cmple(reach * reach);
-        let t = b + feet.way;
+        let ([along, second, third], extent) = (feet.along, triangles.extent);
+        let reach = extent + Vec4::splat(16.0 * f32::EPSILON) * (along.abs() + extent);
+        let begin = along - extent;
+        let is_near =
+            (along + extent).cmpgt(zero) & begin.cmplt(t_max) & feet.foot.dot(feet.foot).cmple(reach * reach);
+        let distance = along + feet.way;
         let [_, b, c] = vertices;
         let feet = [feet.foot, b - self.direction.scale(second), c - self.direction.scale(third)];
-        (is_ahead & is_near & self.passes_between(feet) & t.cmpgt(zero) & t.cmplt(t_max), t)
+        let is_between = self.passes_between(feet) & distance.cmpgt(zero) & distance.cmplt(t_max);
+        Met4 { is_met: is_ahead & is_near & is_between, distance, begin }
     }
 
     /// Returns which rays pass between three feet on them, by the areas of their triangles with each two of the feet.
@@ -78,6 +106,13 @@ impl Ray4 {
             .map(|side| side(areas[0]) | side(areas[1]) | side(areas[2]));
         left ^ right
     }
+}
+
+/// Returns which rays lead to the planes of triangles, on a side from which these are seen.
+#[inline(always)]
+fn is_ahead(triangles: &Exact4, height: Vec4, cosine: Vec4) -> BVec4A {
+    let zero = Vec4::ZERO;
+    (cosine.cmplt(zero) & height.cmplt(zero)) | (cosine.cmpgt(zero) & height.cmpgt(triangles.back))
 }
 
 impl SurfacePoint4 {

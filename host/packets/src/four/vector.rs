@@ -6,7 +6,7 @@ use core::ops::{Add, Neg, Sub};
 use glam::{BVec4A, Vec3, Vec4};
 
 /// Four vectors: x, y and z.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub(crate) struct Vec3x4(pub(crate) [Vec4; 3]);
 
 impl Vec3x4 {

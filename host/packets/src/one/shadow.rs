@@ -23,7 +23,7 @@ pub(super) fn is_open<S: ToF32, N: Needs>(
     ray: &Ray<S>,
     t_max: S,
     (lamp, cache): (usize, &mut ShadowCache),
-    filters: &mut Filters<S>,
+    filters: &mut Option<Filters<S>>,
 ) -> bool {
     let last = &mut cache.of_lamp(lamp).occluder;
     if let Some(occluder) = *last {
@@ -44,7 +44,7 @@ pub(super) fn is_open<S: ToF32, N: Needs>(
             for k in query.meet_columns(columns) {
                 let Some(&i) = columns.cylinders.get(k) else { continue };
                 match cylinder::<S, N>(world, i, ray, t_max) {
-                    Some((_, Some(kt))) => filters.add(Object::Cylinder(i), kt),
+                    Some((_, Some(kt))) => added(filters).add(Object::Cylinder(i), kt),
                     Some((_, None)) => return false,
                     None => {}
                 }
@@ -84,18 +84,23 @@ pub(super) fn is_open<S: ToF32, N: Needs>(
     found.is_none()
 }
 
+/// Returns the transparent objects on the way so far, to which another is to be added.
+fn added<S: ToF32>(filters: &mut Option<Filters<S>>) -> &mut Filters<S> {
+    filters.get_or_insert_with(Filters::new)
+}
+
 /// Returns whether no opaque plane is on the way of a shadow ray, and adds the transparent ones.
 #[inline(never)] // no ray of a scene without planes prepares for it
 fn planes_are_open<S: ToF32, N: Needs>(
     world: &World<'_, S>,
     ray: &Ray<S>,
     t_max: S,
-    filters: &mut Filters<S>,
+    filters: &mut Option<Filters<S>>,
 ) -> bool {
     for (i, plane) in (0..).zip(world.scene.planes) {
         if plane.intersect(ray, t_max).is_some() {
             match transmitted::<S, N>(world, plane.material) {
-                Some(kt) => filters.add(Object::Plane(i), kt),
+                Some(kt) => added(filters).add(Object::Plane(i), kt),
                 None => return false,
             }
         }
@@ -109,7 +114,7 @@ fn opaque_of<S: ToF32, N: Needs>(
     world: &World<'_, S>,
     leaves: &[Sphere4],
     (ray, t_max, query): (&Ray<S>, S, &Query),
-    filters: &mut Filters<S>,
+    filters: &mut Option<Filters<S>>,
 ) -> Option<Object> {
     for leaf in leaves {
         let mask = query.meet::<S>(leaf);
@@ -117,7 +122,7 @@ fn opaque_of<S: ToF32, N: Needs>(
             if let Some(&object) = leaf.items.get(k)
                 && !matches!(object, Object::Lamp(_))
                 && meet::<S, N>(world, query, (leaf, &mask, k), ray, t_max).is_some()
-                && is_opaque::<S, N>(world, object, filters)
+                && (!N::TRANSPARENT_SHADOWS || is_opaque::<S, N>(world, object, filters))
             {
                 return Some(object);
             }
@@ -128,10 +133,14 @@ fn opaque_of<S: ToF32, N: Needs>(
 
 /// Returns whether an object on the way lets nothing through; else it is added.
 #[inline(never)] // so that a ray which meets nothing does not prepare for it
-fn is_opaque<S: ToF32, N: Needs>(world: &World<'_, S>, object: Object, filters: &mut Filters<S>) -> bool {
+fn is_opaque<S: ToF32, N: Needs>(
+    world: &World<'_, S>,
+    object: Object,
+    filters: &mut Option<Filters<S>>,
+) -> bool {
     let Some(look) = world.scene.look::<N>(object) else { return false };
     match transmitted::<S, N>(world, look.material) {
-        Some(kt) => filters.add(object, kt),
+        Some(kt) => added(filters).add(object, kt),
         None => return true,
     }
     false

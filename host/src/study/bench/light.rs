@@ -1,7 +1,8 @@
-//! `rta bench --light --peer povray`: a room by two passes and by POV-Ray's radiosity, error against cost of whole processes.
+//! `rta bench --light`: light that goes round, beside another program. With `--peer povray` a room by two passes and by POV-Ray's radiosity, error
+//! against cost of whole processes; with `--peer mitsuba` by [`paths`] of both.
 //!
-//! Both are compared with the same picture of converged paths, after the scaling by one factor that suits best, since they need not have one
-//! unit of light. Pixels in which a lamp is seen are left out.
+//! Two passes and radiosity are compared with the same picture of converged paths, after the scaling by one factor that suits best, since they need
+//! not have one unit of light. Pixels in which a lamp is seen are left out.
 
 use rta_core::color::Rgb;
 
@@ -9,13 +10,15 @@ use super::beside::process::Process;
 use super::beside::{Place, Program, Rows, Work, own_program};
 use super::povray::lit::Radiosity;
 use super::povray::lit_scene;
-use crate::args::BenchArgs;
+use crate::args::{BenchArgs, Peer};
 use crate::engine::{bands, interrupt};
 use crate::picture::output::{self, Inputs};
 use crate::study::error::StudyError;
 use crate::study::report::Source;
 use crate::study::report::light::raster;
 use crate::study::report::light::room::Room;
+
+pub mod paths;
 
 /// Samples of the paths that both are compared with.
 const PATHS: u32 = 1024;
@@ -54,7 +57,7 @@ const THEIRS: [Radiosity; 6] = [
     radiosity((200, 5), 0.5, 5, 0.01, (0.05, 3)),
 ];
 
-/// Runs `rta bench --light --peer povray`.
+/// Runs `rta bench --light`.
 ///
 /// # Errors
 /// Those of reading a scene, and [`StudyError::Bench`] where a program fails.
@@ -68,7 +71,10 @@ pub fn run(args: &BenchArgs) -> Result<(), StudyError> {
     sources.iter().for_each(|source| inputs.add(&source.scene.inputs));
     let mut text = String::new();
     for source in &sources {
-        text += &compared(source, args)?;
+        text += &match args.peer {
+            Some(Peer::Mitsuba) => paths::compared(source, args)?,
+            _ => compared(source, args)?,
+        };
     }
     Ok(output::print(&text, &inputs)?)
 }

@@ -57,6 +57,15 @@ impl Process {
     /// [`ProcessError::Start`] and [`ProcessError::Failed`].
     pub fn run(&self, folder: &Path) -> Result<Option<f64>, ProcessError> {
         let before = children();
+        self.say(folder)?;
+        Ok(before.zip(children()).map(|(before, after)| (after - before) / TICKS))
+    }
+
+    /// Runs it in a folder, and returns what it writes to its standard output.
+    ///
+    /// # Errors
+    /// [`ProcessError::Start`] and [`ProcessError::Failed`].
+    pub fn say(&self, folder: &Path) -> Result<String, ProcessError> {
         let ended = Command::new(&self.program)
             .args(&self.arguments)
             .current_dir(folder)
@@ -69,7 +78,7 @@ impl Process {
             let said = lines.get(lines.len().saturating_sub(4)..).unwrap_or_default().join(" ");
             return Err(ProcessError::Failed { program: self.program.clone(), said });
         }
-        Ok(before.zip(children()).map(|(before, after)| (after - before) / TICKS))
+        Ok(String::from_utf8_lossy(&ended.stdout).into_owned())
     }
 
     /// Counts the instructions of the whole process, from its start to its end.
