@@ -1,31 +1,52 @@
 //! Pictures whose rays are spread: over a lens, over lamps, and over the facets of rough surfaces. One ray at a time, with every model behind
-//! its pointer.
+//! its pointer, but for rooms.
+
+use core::marker::PhantomData;
 
 use rta_core::color::Rgb;
-use rta_core::illumination::Illumination;
+use rta_core::illumination::{Illumination, Lambert};
+use rta_core::needs::{Everything, Needs};
 use rta_core::raster::Raster;
 use rta_core::trace::dice::Sample;
 use rta_core::trace::{Distributed, Observer, Trace};
+use rta_scenes::description::Air;
+use rta_scenes::model::Model;
 use rta_scenes::narrow::Narrowed;
 use rta_scenes::sampler::Spreading;
+use rta_scenes::shading::AnyModel;
 
+use super::room::{Room, is_room};
 use super::{Format, MAX_DEPTH, Modelled, Pass, Picture, PutRow, Setup, Sums};
 use crate::cache::ShadowCache;
 use crate::packets::Packets;
 use crate::rows::put_rows;
 
-/// A picture whose rays are spread as `spreading` says; `still` is the one whose rays are not.
-pub(super) struct Spread<S: Format, M> {
-    pub(super) still: Modelled<S, M>,
-    pub(super) spreading: Spreading,
+/// A picture whose rays are spread as `spreading` says; `still` is the one whose rays are not, and `N` what its tracer has.
+struct Spread<S: Format, M, N> {
+    still: Modelled<S, M>,
+    spreading: Spreading,
+    needs: PhantomData<fn() -> N>,
 }
 
-type Traced<'t, S, M> =
-    Distributed<'t, S, M, rta_core::needs::Everything, { MAX_DEPTH as usize }, &'t Packets>;
+type Traced<'t, S, M, N> = Distributed<'t, S, M, N, { MAX_DEPTH as usize }, &'t Packets>;
 
-impl<S: Format, M: Illumination<S> + Clone> Spread<S, M> {
+/// Returns the picture whose rays are spread; `still` is the one whose rays are not, by this model, in this air.
+pub(super) fn picture<S: Format>(
+    still: Modelled<S, AnyModel<S>>,
+    (model, air): (Model, &Air),
+    spreading: Spreading,
+) -> Box<dyn Picture<S>> {
+    let shines_through = still.ready.scene.said.iter().any(|own| own.back.is_some());
+    if is_room(&still.ready.scene, (model, air)) && !shines_through {
+        let still = Modelled { model: Lambert::default(), ready: still.ready };
+        return Box::new(Spread { still, spreading, needs: PhantomData::<fn() -> Room> });
+    }
+    Box::new(Spread { still, spreading, needs: PhantomData::<fn() -> Everything> })
+}
+
+impl<S: Format, M: Illumination<S> + Clone, N: Needs> Spread<S, M, N> {
     /// Returns what `draw` makes of the tracer of the picture whose rays are spread by `seed`.
-    fn with_tracer<R>(&self, seed: u32, draw: impl FnOnce(&Traced<'_, S, M>) -> R) -> Option<R> {
+    fn with_tracer<R>(&self, seed: u32, draw: impl FnOnce(&Traced<'_, S, M, N>) -> R) -> Option<R> {
         let ready = &self.still.ready;
         let admitted = ready.admitted();
         let spread = ready.scene.spread(&self.spreading);
@@ -35,7 +56,7 @@ impl<S: Format, M: Illumination<S> + Clone> Spread<S, M> {
     }
 }
 
-impl<S: Format, M: Illumination<S> + Clone> Picture<S> for Spread<S, M> {
+impl<S: Format, M: Illumination<S> + Clone, N: Needs> Picture<S> for Spread<S, M, N> {
     fn rows(&self, first: u32, end: u32, put: PutRow<S>) {
         let raster = self.setup().raster;
         let (camera, samples) = (&self.scene().camera, self.spreading.samples);
@@ -72,6 +93,10 @@ impl<S: Format, M: Illumination<S> + Clone> Picture<S> for Spread<S, M> {
 
     fn setup(&self) -> &Setup {
         self.still.setup()
+    }
+
+    fn rays_before(&self) -> u64 {
+        self.still.ready.rays
     }
 
     fn scene(&self) -> &Narrowed<S> {
