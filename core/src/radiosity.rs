@@ -38,6 +38,7 @@ mod gather;
 mod indirect;
 mod matrix;
 mod mesh;
+mod place;
 mod quad;
 mod shoot;
 mod sweep;
@@ -55,7 +56,7 @@ pub use mesh::{Fault, Mesh, Patch, Site};
 pub use quad::{Quad, greatest_reflectance};
 pub use shoot::Shooter;
 pub use sweep::{Outcome, Stop};
-pub use vertex::Solution;
+pub use vertex::{Corners, Solution};
 pub use wallace::Balance;
 
 /// The reason why radiosity is refused.

@@ -177,7 +177,9 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Acceler
         // A ray and its node, in one place: taken apart, they are copied once more.
         let mut current = (Pending { start, branch: Branch::eye::<S>() }, D::EYE);
         if !N::MIRROR {
-            return self.arrived(&mut current.0, &mut None, (dice, current.1), memory, observer);
+            let light = self.arrived(&mut current.0, &mut None, (dice, current.1), memory, observer);
+            observer.light(light);
+            return light;
         }
         let mut pending = Waiting::<S, M::Weight, D::Node, STACK>::new();
         let mut light = Rgb::BLACK;

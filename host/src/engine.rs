@@ -101,6 +101,7 @@ trait Rows: Send + Sync {
     fn on_grid(&self, lattice: Lattice, first: u32, out: &mut [Rgb<u8>]);
     fn sums(&self, seed: u32, tolerance: Option<passes::Tolerance>) -> Option<Box<dyn passes::Sums + '_>>;
     fn rays(&self) -> Rays;
+    fn rays_before(&self) -> u64;
     fn probe(&self, x: u32, y: u32) -> Probe;
 }
 
@@ -137,6 +138,10 @@ impl<S: Narrow> Rows for Box<dyn Picture<S>> {
         let mut tally = Tally::default();
         self.observed_rows(0, u32::MAX, &mut tally);
         tally.0
+    }
+
+    fn rays_before(&self) -> u64 {
+        (**self).rays_before()
     }
 
     fn probe(&self, x: u32, y: u32) -> Probe {
@@ -256,6 +261,11 @@ impl Engine {
     pub fn probe(&self, x: u32, y: u32) -> Probe {
         let inside = x < self.settings.width && y < self.settings.height;
         if inside { self.rows.probe(x, y) } else { Probe::default() }
+    }
+
+    /// The rays that were traced to make the scene ready: those that gathered indirect light, where that is gathered for each picture.
+    pub fn rays_before(&self) -> u64 {
+        self.rows.rays_before()
     }
 
     /// The rays that the whole picture takes. It is traced for that, with an observer that counts them.

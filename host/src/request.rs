@@ -14,9 +14,10 @@ use std::sync::Arc;
 use rta_args::value::until::Until;
 use rta_scenes::description::{Description, Settings};
 use rta_scenes::sampler::Sampler;
-use rta_scenes::solution::{Shown, Solved};
+use rta_scenes::solution::Solved;
 
 use crate::args::TracingArgs;
+use crate::args::light::ShownValue;
 use crate::engine::{self, Cutoff, Engine, Format, MAX_DEPTH, Model};
 
 use crate::picture::coloring::{Coloring, DitherKind};
@@ -271,7 +272,7 @@ impl Request {
             settings += &length.map_or(String::new(), |length| format!(", {name} {length}"));
         }
         if let Some(light) = &self.light {
-            let shown = if light.shown == Shown::All { "all" } else { "indirect" };
+            let shown = ShownValue(light.shown);
             settings += &format!(", radiosity of {} patches, {shown}", light.solution.arriving.len());
         }
         Caption { title: scene.title.clone(), settings }

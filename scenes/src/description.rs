@@ -29,7 +29,7 @@ pub use camera::{Camera, Optics, Side};
 pub use details::{Detail, Details, LampShape};
 
 pub use dispersion::Dispersion;
-pub use light::{Arriving, Shown, Solution, Solved};
+pub use light::{Arriving, Caching, Shown, Solution, Solved};
 pub use material::{Coefficients, Edge, Kind, Material, Slope};
 pub use path::{Journey, Keyframe, Path};
 pub use quad::{Quad, Shining, bilinear, cut};

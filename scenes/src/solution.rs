@@ -5,7 +5,7 @@ use std::sync::Arc;
 use crate::description::{Description, Quad, bilinear};
 use crate::space::{cross, difference, length};
 
-pub use crate::description::{Arriving, Shown, Solution, Solved};
+pub use crate::description::{Arriving, Caching, Shown, Solution, Solved};
 
 /// Returns the number of patches of all quads.
 #[must_use]

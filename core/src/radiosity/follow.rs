@@ -26,6 +26,16 @@ const DEPTH: u8 = 4;
 /// A patch that a ray meets, and its number.
 pub(super) type Met = (Patch, usize);
 
+/// What ends a ray.
+pub(super) enum Ended {
+    /// The front of a patch.
+    On(Met),
+    /// The back of one: the ray is lost.
+    Behind,
+    /// What has no patches, and sends it on no more: it is lost too.
+    Elsewhere,
+}
+
 /// The weights of a ray's registers and its place in the ray tree.
 type Place<S> = Branch<Rgb<<S as Scalar>::Unit>>;
 
@@ -47,19 +57,22 @@ impl<S: Scalar, N: Needs, C: Casts<S>, A: Accelerator<S>> Solver<'_, S, N, C, A>
             let weight = weight.times(site.weight(at));
             see(target, weight);
             let start = left(site, site.quad.place(at), site.frame.vector(direction));
-            self.follow(start, weight, memory, |met, weights, is_straight| {
-                meet(target, met, weights, is_straight)
+            self.follow(start, weight, memory, |end, weights, is_straight, _| {
+                if let Ended::On(met) = end {
+                    meet(target, met, weights, is_straight);
+                }
             });
         }
     }
 
-    /// Follows a ray through mirrors and glass to the patches where it ends.
-    fn follow(
+    /// Follows a ray through mirrors and glass to where it ends. `meet` is told of each end the part of the light from there that arrives, whether
+    /// the ray came there straight, and how far away it is from the last place where the ray was sent on.
+    pub(super) fn follow(
         &self,
         start: Start<S>,
         weight: S::Unit,
         memory: &mut A::Memory,
-        mut meet: impl FnMut(Met, Rgb<S::Unit>, bool),
+        mut meet: impl FnMut(Ended, Rgb<S::Unit>, bool, S),
     ) {
         let mut pending = Vec::<(Place<S>, Start<S>), { DEPTH as usize }>::new();
         let mut current = (Branch { weight: Rgb::new(weight, weight, weight), ..Branch::eye::<S>() }, start);
@@ -67,18 +80,21 @@ impl<S: Scalar, N: Needs, C: Casts<S>, A: Accelerator<S>> Solver<'_, S, N, C, A>
             let (place, start) = current;
             let mut next = None;
             if let Some(hit) = self.hit(start, memory) {
+                let mut end = |end| meet(end, place.weight, place.depth == 0, hit.distance);
                 match self.patch_of(start, hit) {
-                    Some(Some(met)) => meet(met, place.weight, place.depth == 0),
-                    // From behind.
-                    Some(None) => {}
+                    Some(Some(met)) => end(Ended::On(met)),
+                    Some(None) => end(Ended::Behind),
                     None if N::MIRROR && place.depth < DEPTH => {
                         let [transmitted, reflected] = self.secondary(start, hit, &place);
+                        if transmitted.is_none() && reflected.is_none() {
+                            end(Ended::Elsewhere);
+                        }
                         // There is room: one ray waits for each level.
                         let waits = transmitted.is_none_or(|transmitted| pending.push(transmitted).is_ok());
                         debug_assert!(waits, "the ray stack is one entry for each level of depth");
                         next = reflected;
                     }
-                    None => {}
+                    None => end(Ended::Elsewhere),
                 }
             }
             match next.or_else(|| pending.pop()) {
@@ -134,7 +150,7 @@ impl<S: Scalar, N: Needs, C: Casts<S>, A: Accelerator<S>> Solver<'_, S, N, C, A>
 }
 
 /// Returns the start of a ray that leaves a place of a patch.
-fn left<S: Scalar>(site: &Site<S>, place: Vec3<S>, direction: UnitVec3<S>) -> Start<S> {
+pub(super) fn left<S: Scalar>(site: &Site<S>, place: Vec3<S>, direction: UnitVec3<S>) -> Start<S> {
     let (origin, _) = place.leave(site.normal, direction, site.extent);
     Start { origin, direction }
 }

@@ -122,8 +122,13 @@ impl<S: Scalar> Quad<S> {
                 if is_forwards { S::part(part, whole) } else { -S::part(zero - part, whole) }
             };
             let step = [part(flat.area(rest, across)), part(flat.area(along, rest))];
+            let before = at;
             for (at, step) in at.iter_mut().zip(step) {
                 *at = clamped(*at + step);
+            }
+            // All further steps are this one again.
+            if at == before {
+                break;
             }
         }
         at

@@ -11,7 +11,13 @@ use crate::scalar::{Light, Scalar, Summed, Unit};
 pub struct Solution<'a, S: Scalar> {
     mesh: Mesh<'a, S>,
     light: &'a [Rgb<S::Light>],
+    /// [`Solution::corners`] of each patch, where they are kept; else empty.
+    corners: &'a [Corners<S>],
 }
+
+/// The light at the corners of a patch, as its numbers along u and v are: at the first both, the first and the next, the next and the first, the
+/// next both.
+pub type Corners<S> = [Rgb<<S as Scalar>::Light>; 4];
 
 /// A sum of light, register by register.
 type Sums<L> = Rgb<<L as Summed>::Sum>;
@@ -39,7 +45,28 @@ impl<'a, S: Scalar> Solution<'a, S> {
     /// [`Error::Room`] where there is light for fewer patches.
     pub fn new(mesh: Mesh<'a, S>, light: &'a [Rgb<S::Light>]) -> Result<Self, Error> {
         let (needed, found) = (mesh.len(), light.len());
-        if needed <= found { Ok(Self { mesh, light }) } else { Err(Error::Room { needed, found }) }
+        if needed <= found {
+            Ok(Self { mesh, light, corners: &[] })
+        } else {
+            Err(Error::Room { needed, found })
+        }
+    }
+
+    /// Returns the solution with the light at the corners of its patches kept, in the order of the patches' numbers, each as
+    /// [`Solution::corners`] has it: the same light, for less work wherever it is asked for.
+    ///
+    /// # Errors
+    /// [`Error::Room`] where there are corners for fewer patches.
+    pub fn with_corners(self, corners: &'a [Corners<S>]) -> Result<Self, Error> {
+        let (needed, found) = (self.mesh.len(), corners.len());
+        if needed <= found { Ok(Self { corners, ..self }) } else { Err(Error::Room { needed, found }) }
+    }
+
+    /// Returns the light at the corners of a patch.
+    pub fn corners(&self, Patch { quad, cell: [i, j] }: Patch) -> Corners<S> {
+        let kept = self.mesh.number(Patch { quad, cell: [i, j] }).and_then(|number| self.corners.get(number));
+        let vertex = |along, up| self.vertex(quad, [i + along, j + up]);
+        kept.copied().unwrap_or_else(|| [vertex(0, 0), vertex(1, 0), vertex(0, 1), vertex(1, 1)])
     }
 
     /// Returns the mesh.
@@ -84,11 +111,11 @@ impl<'a, S: Scalar> Solution<'a, S> {
             let whole = cell(at, count);
             let share = |cells: u16| S::Unit::fraction(cells.into(), count.into());
             let part = clamped((at - share(whole)).quotient(share(1)));
-            [(whole, S::Unit::ONE - part), (whole + 1, part)]
+            (whole, [S::Unit::ONE - part, part])
         };
-        let (across, up) = (split(u, nu), split(v, nv));
-        let vertices = up.into_iter().flat_map(|(j, v)| across.map(|(i, u)| ([i, j], u.times(v))));
-        mixed::<S>(vertices.map(|(vertex, weight)| (self.vertex(quad, vertex), weight)))
+        let ((i, across), (j, up)) = (split(u, nu), split(v, nv));
+        let weights = up.into_iter().flat_map(|v| across.map(|u| u.times(v)));
+        mixed::<S>(self.corners(Patch { quad, cell: [i, j] }).into_iter().zip(weights))
     }
 }
 

@@ -5,7 +5,7 @@
 use rta_core::Error;
 use rta_core::color::Rgb;
 use rta_core::illumination::{Illumination, Phong, Rta, Whitted};
-use rta_core::needs::Everything;
+use rta_core::needs::{Everything, Needs};
 use rta_core::range::Admitted;
 use rta_core::raster::Raster;
 use rta_core::raster::lattice::Lattice;
@@ -29,14 +29,17 @@ use crate::rows::Rows;
 
 mod added;
 mod antialiased;
+mod cache;
 mod error;
 mod moving;
 mod paths;
+mod room;
 mod spectral;
 mod spread;
 
 pub use added::{Added, Pass, Sums};
 use antialiased::Antialiased;
+use cache::{Gathered, gathered};
 pub use error::PictureError;
 use moving::Moving;
 use paths::Following;
@@ -91,6 +94,11 @@ pub trait Picture<S: Narrow>: Send + Sync {
 
     /// How the picture is traced.
     fn setup(&self) -> &Setup;
+
+    /// Returns how many rays were traced before the picture is: those that gathered indirect light, where it is gathered for each picture.
+    fn rays_before(&self) -> u64 {
+        0
+    }
 
     /// The scene and the eye.
     fn scene(&self) -> &Narrowed<S>;
@@ -191,7 +199,7 @@ macro_rules! formats {
                         held.solve(&scene.stopped(), limits)?;
                         return Ok(Box::new(Moving { still, spreading, scene: held, built }));
                     }
-                    return Ok(spread::picture(still, (scene, model), spreading));
+                    return Ok(spread::picture(still, (model, air), spreading));
                 }
                 let is_clear = *air == Air::default();
                 Ok(match model {
@@ -217,6 +225,8 @@ struct Ready<S: Narrow> {
     packets: Packets,
     limits: Limits<S>,
     setup: Setup,
+    /// Rays that were traced to make it ready.
+    rays: u64,
 }
 
 impl<S: Format> Ready<S> {
@@ -238,7 +248,11 @@ impl<S: Format> Ready<S> {
         narrowed.solve(scene, limits)?;
         // Last, as it takes longest: a scene that is refused is refused at once.
         let packets = Packets::build::<S>(scene);
-        Ok(Self { scene: narrowed, packets, limits, setup: *setup })
+        let mut ready = Self { scene: narrowed, packets, limits, setup: *setup, rays: 0 };
+        if let Some(Gathered { lit, rays }) = gathered(&ready) {
+            (ready.scene.lit, ready.rays) = (Some(lit), rays);
+        }
+        Ok(ready)
     }
 
     /// Returns the scene, which was proved once, when the picture was made ready.
@@ -252,12 +266,15 @@ struct Modelled<S: Narrow, M> {
     model: M,
 }
 
-type Traced<'a, S, M> = Tracer<'a, S, M, Everything, { MAX_DEPTH as usize }, &'a Packets>;
+type Traced<'a, S, M, N> = Tracer<'a, S, M, N, { MAX_DEPTH as usize }, &'a Packets>;
 
 impl<S: Format, M: Illumination<S> + Clone> Modelled<S, M> {
-    fn tracer<'a>(&self, admitted: &'a Admitted<'a, S, &'a Packets>) -> Option<Traced<'a, S, M>> {
+    fn tracer<'a, N: Needs>(
+        &self,
+        admitted: &'a Admitted<'a, S, &'a Packets>,
+    ) -> Option<Traced<'a, S, M, N>> {
         let Setup { depth, cutoff, .. } = self.ready.setup;
-        let tracer: Traced<'a, S, M> = Tracer::new(admitted, self.model.clone(), depth).ok()?;
+        let tracer: Traced<'a, S, M, N> = Tracer::new(admitted, self.model.clone(), depth).ok()?;
         Some(match cutoff {
             Some((numerator, denominator)) => tracer.with_cutoff(S::Unit::ratio(numerator, denominator)),
             None => tracer,
@@ -268,7 +285,7 @@ impl<S: Format, M: Illumination<S> + Clone> Modelled<S, M> {
     fn traced(&self, raster: Raster, places: Sampler, range: (u32, u32), put: PutRow<S>) {
         // There is a tracer: the depth was checked when the picture was made ready.
         let admitted = self.ready.admitted();
-        let Some(tracer) = self.tracer(&admitted) else { return };
+        let Some(tracer) = self.tracer::<Everything>(&admitted) else { return };
         let width = raster.width() as usize;
         let mut row = Vec::with_capacity(width);
         S::trace_rows(&tracer, &self.ready.scene.camera, (raster, places), range, |light| {
@@ -299,7 +316,7 @@ impl<S: Format, M: Illumination<S> + Clone> Picture<S> for Modelled<S, M> {
         observer: &mut dyn Observer<S>,
     ) -> Rgb<S::Light> {
         let admitted = self.ready.admitted();
-        let Some(tracer) = self.tracer(&admitted) else { return Rgb::BLACK };
+        let Some(tracer) = self.tracer::<Everything>(&admitted) else { return Rgb::BLACK };
         tracer.sample(&self.ready.scene.camera, place, sample, cache, observer)
     }
 

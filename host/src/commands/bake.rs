@@ -8,6 +8,7 @@ use rta_scenes::Reading;
 use rta_scenes::bake::{self, BakeError, Recipe};
 use rta_scenes::description::Description;
 use rta_scenes::sampler::{Sampler, Spreading};
+use rta_scenes::solution::Shown;
 
 use crate::args::spreading::{SamplerKind, SpreadingArgs};
 use crate::args::{BakeArgs, TracingArgs};
@@ -33,6 +34,9 @@ pub fn run(args: &BakeArgs) -> Result<(), Error> {
     let reading = Reading { texels: reading.texels.or(Some(bake::TEXELS)), ..reading };
     let mut scene = SceneFile::open_as(&args.scene, reading)?;
     if let Some(light) = solution::open(&args.light, &scene)? {
+        if matches!(light.shown, Shown::Cache(_)) {
+            return Err(RequestError::Kept.into());
+        }
         scene.description = scene.description.lit_by(&light);
     }
     let model = args.model.unwrap_or(scene.description.model);

@@ -39,6 +39,14 @@ pub enum RequestError {
     /// Light that a picture solves for by itself is indirect light.
     #[error("--light solve is indirect light alone: --light-as all is for a file of rta radiosity")]
     Unsolved,
+    /// Light is gathered for a scene in which something moves.
+    #[error("--light-as cache is for scenes in which nothing moves, and in this one something does")]
+    Gathered,
+    /// Light is gathered for a program that has what was solved.
+    #[error(
+        "--light-as cache gathers light for each picture anew, and a baked program has the light of the patches"
+    )]
+    Kept,
     /// It is none of the scene.
     #[error("{name}: {source}")]
     Light {

@@ -23,7 +23,7 @@ use rta_scenes::solution::{Arriving, Shown, Solution, Solved, patch_count};
 
 use super::error::{RequestError, SolutionError};
 use super::scene_file::SceneFile;
-use crate::args::light::{self, LightArgs};
+use crate::args::light::{LightArgs, ShownValue};
 
 /// What stands for light that a picture solves for by itself.
 const SOLVE: &str = "solve";
@@ -49,26 +49,27 @@ pub fn fingerprint(scene: &Description) -> u64 {
 /// Returns the solved light that the options name, for its scene.
 ///
 /// # Errors
-/// [`RequestError::NoLight`] where the file cannot be read, and [`RequestError::Light`] where it is no solution of the scene.
+/// [`RequestError::NoLight`] where the file cannot be read, [`RequestError::Light`] where it is no solution of the scene, and
+/// [`RequestError::Gathered`] for light that is gathered where something moves.
 pub fn open(asked: &LightArgs, scene: &SceneFile) -> Result<Option<Arc<Solved>>, RequestError> {
     let Some(path) = &asked.light else { return Ok(None) };
+    let ShownValue(shown) = asked.light_as;
+    if matches!(shown, Shown::Cache(_)) && scene.description.has_motion() {
+        return Err(RequestError::Gathered);
+    }
     if path.as_os_str() == SOLVE {
-        return match asked.light_as {
-            light::Shown::Indirect => {
+        return match shown {
+            Shown::Indirect | Shown::Cache(_) => {
                 let solution = Solution { patches: None, arriving: Vec::new() };
-                Ok(Some(Arc::new(Solved { shown: Shown::Indirect, solution })))
+                Ok(Some(Arc::new(Solved { shown, solution })))
             }
-            light::Shown::All => Err(RequestError::Unsolved),
+            Shown::All => Err(RequestError::Unsolved),
         };
     }
     let name = path.display().to_string();
     let text =
         fs::read_to_string(path).map_err(|source| RequestError::NoLight { name: name.clone(), source })?;
     let solution = read(&text, &scene.description).map_err(|source| RequestError::Light { name, source })?;
-    let shown = match asked.light_as {
-        light::Shown::Indirect => Shown::Indirect,
-        light::Shown::All => Shown::All,
-    };
     Ok(Some(Arc::new(Solved { shown, solution })))
 }
 

@@ -46,10 +46,16 @@ fn least(study: &Study, method: Method) -> f64 {
 #[test]
 fn each_method_errs_by_what_it_leaves_out() {
     let study = studied(ROOM);
-    let [ambient, distributed, radiosity, two, paths] = Method::ALL.map(|method| least(&study, method));
-    println!("{ambient} {distributed} {radiosity} {two} {paths}, reference {}", study.reference.error);
+    let [ambient, distributed, radiosity, two, cache, paths] =
+        Method::ALL.map(|method| least(&study, method));
+    println!(
+        "{ambient} {distributed} {radiosity} {two} {cache} {paths}, reference {}",
+        study.reference.error
+    );
     // Soft shadows are better than sharp ones; light that goes round, than a constant; and lamps that are traced, than patches of their shadows.
     assert!(ambient > distributed && distributed > 2.0 * two && radiosity > 1.2 * two);
+    // Where light is gathered for the picture, patches err less.
+    assert!(cache < two, "{cache} {two}");
     // The constant is not dark, and paths, which have no bias, are as good as their noise.
     assert!(study.ambient.iter().all(|register| *register > 0.01), "{:?}", study.ambient);
     assert!(study.ambient[0] > study.ambient[1], "a red wall: {:?}", study.ambient);
@@ -107,8 +113,8 @@ fn the_report_has_its_files_and_its_costs() {
     }
     let table = std::fs::read_to_string(folder.path("out/light.csv")).expect("a table");
     let rows: Vec<Vec<&str>> = table.lines().map(|line| line.split(',').collect()).collect();
-    // Three of ambient light, four of distributed rays, five of paths; nine solutions three and four times.
-    assert_eq!(rows.len(), 1 + 3 + 4 + 5 + 9 * (3 + 4));
+    // Three of ambient light, four of distributed rays, five of paths; nine solutions three times alone, four times in two passes and with a cache.
+    assert_eq!(rows.len(), 1 + 3 + 4 + 5 + 9 * (3 + 4 + 4));
     let has_valgrind = std::process::Command::new("valgrind").arg("--version").output().is_ok();
     for row in &rows[1..] {
         let [solving, drawing] = [row[5], row[6]].map(|cell| cell.parse::<u64>().expect("rays"));

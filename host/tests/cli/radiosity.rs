@@ -119,6 +119,38 @@ fn a_solution_is_kept_and_shown_and_is_that_of_its_scene() {
     );
 }
 
+#[test]
+fn light_is_gathered_for_a_picture_whatever_the_threads() {
+    let folder = Folder::new();
+    folder.scene("c.rta", CORNELL);
+    folder.prints(&["radiosity", "c.rta", "--factors", "rays:16", "-o", "c.txt"]);
+    let drawn = |args: &[&str]| picture(&folder, "c.rta", 32, &[&["--light", "c.txt"], args].concat());
+    let one = drawn(&["--light-as", "cache:64:.3", "--samples", "4", "--threads", "1"]);
+    assert!(one == drawn(&["--light-as", "cache:64:0.3", "--samples", "4", "--threads", "2"]));
+    // It has the light of the patches, and of a board's solution.
+    let mean = |light: &[[f64; 3]]| mean_of(light.iter().copied()).iter().sum::<f64>();
+    let solved = drawn(&["--light-as", "indirect", "--samples", "4"]);
+    assert!((mean(&one) / mean(&solved) - 1.0).abs() < 0.03, "{} {}", mean(&one), mean(&solved));
+    let way = ["--light", "solve", "--light-as", "cache", "--samples", "4", "--format", "q16"];
+    let fixed = picture(&folder, "c.rta", 32, &way);
+    assert!((mean(&one) / mean(&fixed) - 1.0).abs() < 0.03, "{} {}", mean(&one), mean(&fixed));
+    // Parts of the picture have the light of the whole.
+    let asked =
+        ["c.rta", "--light", "c.txt", "--light-as", "cache:64:.3", "--samples", "4", "--size", "32x32"];
+    let render = |more: &[&str]| folder.renders(&[&asked[..], &["--device", "none"], more].concat());
+    render(&["--as", "pfm", "-o", "a.part", "--rows", "0..9"]);
+    render(&["--as", "pfm", "-o", "b.part", "--rows", "9..32"]);
+    render(&["-o", "whole.pfm"]);
+    assert!(folder.rta(&["merge", "-q", "-o", "merged.pfm", "a.part", "b.part"]).status.success());
+    let [merged, whole] = ["merged.pfm", "whole.pfm"].map(|name| std::fs::read(folder.path(name)));
+    assert!(merged.expect("a picture") == whole.expect("a picture"));
+    let bake = ["bake", "c.rta", "-o", "-", "--light", "c.txt", "--light-as", "cache"];
+    folder.refuses(&bake, &["--light-as cache", "baked"]);
+    folder.scene("m.rta", format!("{CORNELL}sphere at 2 2 4  radius .1  moves .1 0 0\n"));
+    let moving = ["render", "m.rta", "-o", "m.png", "--light", "solve", "--light-as", "cache"];
+    folder.refuses(&moving, &["--light-as cache", "nothing moves"]);
+}
+
 /// Returns the light of a picture of `side` x `side` pixels, row by row from the bottom.
 fn picture(folder: &Folder, scene: &str, side: usize, args: &[&str]) -> Vec<[f64; 3]> {
     let size = format!("{side}x{side}");

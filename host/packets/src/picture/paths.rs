@@ -15,40 +15,12 @@ use rta_scenes::model::Model;
 use rta_scenes::narrow::Narrowed;
 use rta_scenes::sampler::Spreading;
 use rta_scenes::shading::AnyModel;
-use rta_scenes::used;
 
+use super::room::{Room, is_room};
 use super::{Format, Modelled, Pass, Picture, PutRow, Setup, Sums};
 use crate::cache::ShadowCache;
 use crate::packets::Packets;
 use crate::rows::put_rows;
-
-/// What a room of flat, diffuse surfaces needs, which is what paths are mostly followed in.
-struct Room;
-
-impl Needs for Room {
-    const SPHERES: bool = false;
-    const ELLIPSOIDS: bool = false;
-    const CONES: bool = false;
-    const NORMALS: bool = false;
-    const PLANES: bool = false;
-    const CYLINDERS: bool = false;
-    const FLOOR: bool = false;
-    const TILES: bool = false;
-    const VISIBLE_LAMPS: bool = false;
-    const GLINT: bool = false;
-    const MIRROR: bool = false;
-    const GLASS: bool = false;
-    const TRANSPARENT_SHADOWS: bool = false;
-    const CHECKER: bool = false;
-    const MARBLE: bool = false;
-    const WOOD: bool = false;
-    const IMAGES: bool = false;
-    const BUMPS: bool = false;
-    const SURROUNDINGS: bool = false;
-    const MESHES: bool = false;
-    const SKY_MAP: bool = false;
-    const GLOSS: bool = false;
-}
 
 /// How samples are paths.
 #[derive(Clone, Copy)]
@@ -77,8 +49,7 @@ pub(super) fn picture<S: Format>(
     (model, air): (Model, &Air),
     following: Following,
 ) -> Box<dyn Picture<S>> {
-    let is_room = used::missing::<Room, S>(&still.ready.scene.scene()).is_none();
-    if model == Model::Lambert && *air == Air::default() && is_room {
+    if is_room(&still.ready.scene, (model, air)) {
         // Paths ask for no light that shines through from behind.
         let model = Lambert::default();
         return Box::new(Pathed { still, following, model, needs: PhantomData::<fn() -> Room> });

@@ -1,54 +1,67 @@
 //! Pictures whose rays are spread: over a lens, over lamps, and over the facets of rough surfaces.
 
+use core::marker::PhantomData;
+
 use rta_core::color::Rgb;
 use rta_core::illumination::{Illumination, Lambert, Rta};
+use rta_core::needs::{Everything, Needs};
 use rta_core::raster::{Places, Raster};
 use rta_core::trace::dice::Sample;
 use rta_core::trace::{Distributed, Observer, Trace};
-use rta_scenes::description::{Air, Description};
+use rta_scenes::description::Air;
 use rta_scenes::model::Model;
 use rta_scenes::narrow::Narrowed;
 use rta_scenes::sampler::Spreading;
 use rta_scenes::shading::AnyModel;
 
-use super::{Format, MAX_DEPTH, Modelled, Pass, Picture, PutRow, Setup, Sums};
+use super::room::{Room, is_room};
+use super::{Format, MAX_DEPTH, Modelled, Pass, Picture, PutRow, Ready, Setup, Sums};
 use crate::cache::ShadowCache;
 use crate::packets::Packets;
 use crate::rows::Samples;
 
-/// A picture whose rays are spread as `spreading` says; `still` is the one whose rays are not.
-struct Spread<S: Format, M> {
+/// A picture whose rays are spread as `spreading` says; `still` is the one whose rays are not, and `N` what its tracer has.
+struct Spread<S: Format, M, N> {
     still: Modelled<S, M>,
     spreading: Spreading,
+    needs: PhantomData<fn() -> N>,
 }
 
-/// Returns the picture whose rays are spread as `spreading` says; `still` is the one whose rays are not, of a scene by this model, in this air.
+type Traced<'t, S, M, N> = Distributed<'t, S, M, N, { MAX_DEPTH as usize }, &'t Packets>;
+
+/// Returns the picture whose rays are spread; `still` is the one whose rays are not, by this model, in this air.
 pub(super) fn picture<S: Format>(
     still: Modelled<S, AnyModel<S>>,
-    (scene, model): (&Description, Model),
+    (model, air): (Model, &Air),
     spreading: Spreading,
 ) -> Box<dyn Picture<S>> {
-    let is_clear = scene.air == Air::default();
-    let shines_through = scene.materials.iter().any(|own| own.back.is_some_and(|back| back > 0.0));
+    fn of<S: Format, M: Illumination<S> + Clone + 'static, N: Needs + 'static>(
+        (ready, model): (Ready<S>, M),
+        spreading: Spreading,
+        needs: PhantomData<fn() -> N>,
+    ) -> Box<dyn Picture<S>> {
+        Box::new(Spread { still: Modelled { ready, model }, spreading, needs })
+    }
+    let everything = PhantomData::<fn() -> Everything>;
+    let shines_through = still.ready.scene.said.iter().any(|own| own.back.is_some());
+    let is_clear = *air == Air::default();
+    let Modelled { ready, model: any } = still;
     // Models that need no row of a material. The others, and all in air, are behind a pointer.
     match model {
         Model::Lambert if is_clear && !shines_through => {
-            let still = Modelled { ready: still.ready, model: Lambert::default() };
-            Box::new(Spread { still, spreading })
+            if is_room(&ready.scene, (model, air)) {
+                return of((ready, Lambert::default()), spreading, PhantomData::<fn() -> Room>);
+            }
+            of((ready, Lambert::default()), spreading, everything)
         }
-        Model::Rta if is_clear => {
-            Box::new(Spread { still: Modelled { ready: still.ready, model: Rta }, spreading })
-        }
-        _ => Box::new(Spread { still, spreading }),
+        Model::Rta if is_clear => of((ready, Rta), spreading, everything),
+        _ => of((ready, any), spreading, everything),
     }
 }
 
-type Traced<'t, S, M> =
-    Distributed<'t, S, M, rta_core::needs::Everything, { MAX_DEPTH as usize }, &'t Packets>;
-
-impl<S: Format, M: Illumination<S> + Clone> Spread<S, M> {
+impl<S: Format, M: Illumination<S> + Clone, N: Needs> Spread<S, M, N> {
     /// Returns what `draw` makes of the tracer of the picture whose rays are spread by `seed`.
-    fn with_tracer<R>(&self, seed: u32, draw: impl FnOnce(&Traced<'_, S, M>) -> R) -> Option<R> {
+    fn with_tracer<R>(&self, seed: u32, draw: impl FnOnce(&Traced<'_, S, M, N>) -> R) -> Option<R> {
         let ready = &self.still.ready;
         let admitted = ready.admitted();
         let spread = ready.scene.spread(&self.spreading);
@@ -58,7 +71,7 @@ impl<S: Format, M: Illumination<S> + Clone> Spread<S, M> {
     }
 }
 
-impl<S: Format, M: Illumination<S> + Clone> Picture<S> for Spread<S, M> {
+impl<S: Format, M: Illumination<S> + Clone, N: Needs> Picture<S> for Spread<S, M, N> {
     fn rows(&self, first: u32, end: u32, put: PutRow<S>) {
         let raster = self.setup().raster;
         let (camera, samples) = (&self.scene().camera, self.spreading.samples);
@@ -124,6 +137,10 @@ impl<S: Format, M: Illumination<S> + Clone> Picture<S> for Spread<S, M> {
 
     fn setup(&self) -> &Setup {
         self.still.setup()
+    }
+
+    fn rays_before(&self) -> u64 {
+        self.still.ready.rays
     }
 
     fn scene(&self) -> &Narrowed<S> {

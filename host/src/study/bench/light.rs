@@ -25,7 +25,7 @@ const PATHS: u32 = 1024;
 
 /// Settings of rta's: patches along a side of a quad, or the scene's; what a patch sees; samples and split of the picture; how the light is
 /// shown.
-const OURS: [(Option<&str>, &str, &str, &str, &str); 9] = [
+const OURS: [(Option<&str>, &str, &str, &str, &str); 13] = [
     (None, "rays:16", "1", "4", "indirect"),
     (Some("4"), "rays:16", "4", "1", "indirect"),
     (None, "rays:16", "4", "1", "indirect"),
@@ -33,6 +33,10 @@ const OURS: [(Option<&str>, &str, &str, &str, &str); 9] = [
     (None, "rays:64", "4", "4", "indirect"),
     (None, "rays:64", "16", "1", "indirect"),
     (None, "rays:256", "16", "1", "indirect"),
+    (None, "rays:64", "4", "2", "cache:64:.2"),
+    (None, "rays:64", "8", "1", "cache:128:.15"),
+    (None, "rays:64", "16", "1", "cache:64:.2"),
+    (None, "rays:256", "16", "1", "cache:256:.15"),
     (None, "rays:16", "4", "1", "all"),
     (None, "rays:64", "16", "1", "all"),
 ];
@@ -90,10 +94,14 @@ fn ours((size, aspect): (&str, &str), program: &str, format: &str) -> Vec<Work> 
             vec!["render", "scene.rta", "-o", "ours.pfm", "--quiet", "--device", "none", "--threads", "1"];
         draw.extend(["--format", format, "--aspect", aspect]);
         draw.extend(["--size", size, "--light", "light.txt", "--light-as", shown, "--samples", samples]);
-        if shown == "indirect" {
+        if shown != "all" {
             draw.extend(["--split", split]);
         }
-        let way = if shown == "indirect" { "two passes" } else { "radiosity alone" };
+        let way = match shown.strip_prefix("cache:") {
+            Some(caching) => format!("irradiance cache {caching}"),
+            None if shown == "all" => "radiosity alone".to_owned(),
+            None => "two passes".to_owned(),
+        };
         Work {
             program: Program::Rta,
             settings: format!(

@@ -34,7 +34,7 @@ use super::{Source, sources};
 use counting::Counts;
 use diagram::{Axis, Diagram};
 use method::{Method, SOLVINGS, Solving};
-use room::{Reference, Room};
+use room::{Reference, Room, timed};
 
 pub mod counting;
 pub mod diagram;
@@ -163,8 +163,12 @@ pub fn study(source: &Source, setup: Setup, reference: u32, pool: &ThreadPool) -
             let shown = solution.zip(method.shown()).map(|((_, light), shown)| light.shown(shown));
             for &samples in method.samples() {
                 setup.go_on()?;
-                let engine = room.engine((method, samples), shown.as_ref())?;
-                let (light, seconds) = room.drawn(&engine);
+                let (engine, making) = timed(|| room.engine((method, samples), shown.as_ref()));
+                let engine = engine?;
+                let (light, drawing) = room.drawn(&engine);
+                let before = engine.rays_before();
+                // What gathers light for a picture has its share in the cost.
+                let seconds = if before > 0 { making + drawing } else { drawing };
                 let error = reference.error(&light);
                 rows.push(Row {
                     method,
@@ -173,7 +177,7 @@ pub fn study(source: &Source, setup: Setup, reference: u32, pool: &ThreadPool) -
                     error,
                     rays: [
                         solution.map_or(0, |(_, light)| light.rays),
-                        engine.rays().into_iter().sum::<u64>(),
+                        before + engine.rays().into_iter().sum::<u64>(),
                     ],
                     seconds: seconds + solution.map_or(0.0, |(_, light)| light.seconds),
                     instructions: None,

@@ -228,6 +228,7 @@ pub(super) fn drawn(
             let (light, seconds) = traced_here(&engine, size, tracing)?;
             cost.seconds += seconds;
             cost.rays = engine.rays().iter().sum();
+            cost.solving += engine.rays_before();
             let error = references.of(against).map(|reference| rms(&light, &reference.light));
             Ok(Some(Drawn { size, aspect, light, error, cost, commands }))
         }

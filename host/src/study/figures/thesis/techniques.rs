@@ -312,4 +312,19 @@ pub const ALL: &[Technique] = &[
         printed: None,
         way: radiosity("--tessellate 4 --method shoot --sweeps 1"),
     },
+    Technique {
+        name: "ward-rubinstein-clear",
+        year: 1988,
+        title: "Kept irradiance",
+        paper: "G. Ward, F. Rubinstein and R. Clear, \"A Ray Tracing Solution for Diffuse Interreflection\", SIGGRAPH 88",
+        words: "As two passes, but what arrives from other surfaces is found by rays at some of the places that the eye sees, close to each other \
+                in corners, and mixed between them.",
+        printed: None,
+        way: Way::Traced {
+            scene: PLAIN,
+            solved: Some("--method gather --factors rays:64"),
+            options: "--light-as cache --lamps area --samples 64",
+            against: Against::Paths,
+        },
+    },
 ];

@@ -3,8 +3,10 @@
 
 use core::sync::atomic::AtomicBool;
 use std::path::Path;
+use std::sync::Arc;
 
 use rta_args::radiosity::Factors;
+use rta_scenes::solution::Solved;
 
 use super::Row;
 use super::method::{Method, Solving};
@@ -68,27 +70,48 @@ pub fn run(args: &InstructionsArgs) -> Result<(), StudyError> {
 fn rays(source: &Source, raster: (Size, f64)) -> Result<[u64; 1 + Method::ALL.len()], StudyError> {
     let room = Room::new(source, raster)?;
     let stop = AtomicBool::new(false);
-    let light = light_is_found(&room, None, &stop)?;
+    let light = light_is_found(&room, Work::Solution, &stop)?.0;
     let mut rays = [light.as_ref().map_or(0, |light| light.rays); 1 + Method::ALL.len()];
     for (rays, method) in rays.iter_mut().skip(1).zip(Method::ALL) {
         let shown = light.as_ref().zip(method.shown()).map(|(light, shown)| light.shown(shown));
-        let engine = room.engine((method, SAMPLES), shown.as_ref())?;
-        light_is_found(&room, Some(&engine), &stop)?;
-        *rays = engine.rays().into_iter().sum();
+        let asked = ((method, SAMPLES), shown.as_ref());
+        let work = if method == Method::Cache {
+            // What is gathered for a picture is a part of it.
+            Work::Picture(asked)
+        } else {
+            Work::Drawing(room.engine(asked.0, asked.1)?)
+        };
+        if let (_, Some(engine)) = light_is_found(&room, work, &stop)? {
+            *rays = engine.rays_before() + engine.rays().into_iter().sum::<u64>();
+        }
     }
     Ok(rays)
 }
 
-/// Draws by a tracer, or solves where there is none. Callgrind is told its name, so it must not be inlined.
+/// What is counted.
+enum Work<'a> {
+    /// A solution.
+    Solution,
+    /// A picture whose scene is ready.
+    Drawing(Engine),
+    /// A picture, with what makes its scene ready.
+    Picture(((Method, u32), Option<&'a Arc<Solved>>)),
+}
+
+/// Solves or draws, and returns the solution, or the tracer. Callgrind is told its name, so it must not be inlined.
 #[inline(never)]
 fn light_is_found(
     room: &Room,
-    engine: Option<&Engine>,
+    work: Work,
     stop: &AtomicBool,
-) -> Result<Option<Light>, StudyError> {
-    let Some(engine) = engine else { return core::hint::black_box(room.solved(SOLVING, stop)) };
-    core::hint::black_box(room.drawn(engine));
-    Ok(None)
+) -> Result<(Option<Light>, Option<Engine>), StudyError> {
+    let engine = match work {
+        Work::Solution => return Ok((core::hint::black_box(room.solved(SOLVING, stop))?, None)),
+        Work::Drawing(engine) => engine,
+        Work::Picture((method, light)) => room.engine(method, light)?,
+    };
+    core::hint::black_box(room.drawn(&engine));
+    Ok((None, Some(engine)))
 }
 
 impl Counts {

@@ -65,6 +65,7 @@ const fn color(method: Method) -> RGBColor {
         Method::Distributed => RGBColor(0, 114, 178),
         Method::Radiosity => RGBColor(213, 94, 0),
         Method::TwoPasses => RGBColor(0, 158, 115),
+        Method::Cache => RGBColor(230, 159, 0),
         Method::Paths => RGBColor(204, 121, 167),
     }
 }
@@ -111,7 +112,7 @@ impl Drawing for Diagram<'_> {
         let notes = [
             "A point is a picture: so many",
             "samples a pixel, and, of the",
-            "two with radiosity, a solution",
+            "three with patches, a solution",
             "with so many patches and rays.",
             "A line joins those of a method",
             "that no other of it beats.",
@@ -119,7 +120,7 @@ impl Drawing for Diagram<'_> {
             "leaves something out.",
         ];
         for (at, note) in (0..).zip(notes) {
-            key.draw(&Text::new(note, (6, 200 + 20 * at), style.clone()))?;
+            key.draw(&Text::new(note, (6, 224 + 20 * at), style.clone()))?;
         }
         Ok(())
     }

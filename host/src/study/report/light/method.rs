@@ -3,7 +3,7 @@
 use core::fmt;
 
 use rta_args::radiosity::Factors;
-use rta_scenes::solution::Shown;
+use rta_scenes::solution::{Caching, Shown};
 
 /// A way to find the light of a room, from the simplest to the one without bias.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -16,14 +16,16 @@ pub enum Method {
     Radiosity,
     /// Lamps by rays, the rest by radiosity.
     TwoPasses,
+    /// The same two passes, but between patches and picture light is gathered at places that the eye sees.
+    Cache,
     /// Paths of light.
     Paths,
 }
 
 impl Method {
     /// All of them.
-    pub const ALL: [Self; 5] =
-        [Self::Ambient, Self::Distributed, Self::Radiosity, Self::TwoPasses, Self::Paths];
+    pub const ALL: [Self; 6] =
+        [Self::Ambient, Self::Distributed, Self::Radiosity, Self::TwoPasses, Self::Cache, Self::Paths];
 
     /// Returns its name in tables and diagrams.
     #[must_use]
@@ -33,6 +35,7 @@ impl Method {
             Self::Distributed => "distributed rays",
             Self::Radiosity => "radiosity alone",
             Self::TwoPasses => "two passes",
+            Self::Cache => "irradiance cache",
             Self::Paths => "paths",
         }
     }
@@ -52,6 +55,9 @@ impl Method {
             }
             Self::TwoPasses => {
                 "J. Wallace, M. Cohen, D. Greenberg, SIGGRAPH 87; F. Sillion, C. Puech, SIGGRAPH 89"
+            }
+            Self::Cache => {
+                "G. Ward, F. Rubinstein, R. Clear, \"A Ray Tracing Solution for Diffuse Interreflection\", SIGGRAPH 88"
             }
             Self::Paths => {
                 "J. Kajiya, \"The Rendering Equation\", SIGGRAPH 86; lamps and paths weighed: E. Veach, L. Guibas, SIGGRAPH 95"
@@ -82,6 +88,11 @@ impl Method {
                  the light of other surfaces alone, which changes slowly; its small shadows, as in the corners at the foot of a block, are \
                  missed where patches are large. Light that lamps send by way of mirrors is found by the rays of patches alone."
             }
+            Self::Cache => {
+                "As two passes, but indirect light is gathered by rays from places that the eye sees, close to each other in corners and beside \
+                 things, and patches are only what those rays end on. What is left is the noise of so many rays from a place, shadows smaller \
+                 than places are close, and what mirrors show, which has the light of patches."
+            }
             Self::Paths => {
                 "Nothing but light that takes more than 64 bounces. The error is noise: it halves for four times as many samples."
             }
@@ -90,10 +101,11 @@ impl Method {
 
     /// Returns how it shows solved light, if it does.
     #[must_use]
-    pub const fn shown(self) -> Option<Shown> {
+    pub fn shown(self) -> Option<Shown> {
         match self {
             Self::Radiosity => Some(Shown::All),
             Self::TwoPasses => Some(Shown::Indirect),
+            Self::Cache => Some(Shown::Cache(Caching::default())),
             Self::Ambient | Self::Distributed | Self::Paths => None,
         }
     }
@@ -103,7 +115,7 @@ impl Method {
     pub const fn samples(self) -> &'static [u32] {
         match self {
             Self::Ambient | Self::Radiosity => &[1, 4, 16],
-            Self::Distributed | Self::TwoPasses => &[1, 4, 16, 64],
+            Self::Distributed | Self::TwoPasses | Self::Cache => &[1, 4, 16, 64],
             Self::Paths => &[1, 4, 16, 64, 256],
         }
     }

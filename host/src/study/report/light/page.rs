@@ -75,7 +75,7 @@ pub fn markdown(studies: &[Study]) -> String {
 }
 
 const INTRODUCTION: &str = "\
-In a room most light comes from other surfaces, not straight from a lamp. This page sets the error of five ways to find it against what they
+In a room most light comes from other surfaces, not straight from a lamp. This page sets the error of six ways to find it against what they
 cost, on one diagram for each room, both logarithmic. Down is better, left is cheaper. Where a curve runs level, more work does not help,
 because the method leaves something out; what that is, is told below.";
 

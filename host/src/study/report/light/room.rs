@@ -108,7 +108,9 @@ impl<'a> Room<'a> {
         let sampling = match method {
             Method::Ambient => u8::try_from(samples.isqrt()).ok().and_then(Sampling::grid).map(Sampler::Grid),
             Method::Radiosity => sobol(samples, 0, Lamps::Point, Integrator::Whitted),
-            Method::Distributed | Method::TwoPasses => sobol(samples, 0, Lamps::Area, Integrator::Whitted),
+            Method::Distributed | Method::TwoPasses | Method::Cache => {
+                sobol(samples, 0, Lamps::Area, Integrator::Whitted)
+            }
             Method::Paths => sobol(samples, 0, Lamps::Area, PATHS),
         };
         let lit = light.map(|light| self.scene.lit_by(light));
@@ -124,9 +126,8 @@ impl<'a> Room<'a> {
     #[must_use]
     pub fn drawn(&self, engine: &Engine) -> (Vec<Rgb<f32>>, f64) {
         let mut light = vec![Rgb::default(); self.size.pixels()];
-        let start = ThreadTime::now();
-        engine.linear_rows(0, &mut light);
-        (light, start.elapsed().as_secs_f64())
+        let ((), seconds) = timed(|| engine.linear_rows(0, &mut light));
+        (light, seconds)
     }
 
     /// Returns of each pixel whether nothing that emits is seen in it: where no light arrives and the sky is black, all else is.
@@ -270,6 +271,13 @@ const PATHS: Integrator = Integrator::Paths { bounces: BOUNCES, is_cut: false };
 fn sobol(samples: u32, seed: u32, lamps: Lamps, integrator: Integrator) -> Option<Sampler> {
     let samples = Sobol::new(samples, seed)?;
     Some(Sampler::Sobol(Spreading { samples, lamps, split: 1, integrator }))
+}
+
+/// Does something, and returns the CPU seconds that it takes on this thread.
+pub(super) fn timed<T>(work: impl FnOnce() -> T) -> (T, f64) {
+    let start = ThreadTime::now();
+    let done = work();
+    (done, start.elapsed().as_secs_f64())
 }
 
 fn unsolved(source: &Source) -> impl Fn(RadiosityError) -> StudyError {
