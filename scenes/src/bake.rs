@@ -22,9 +22,11 @@
 //! | `models` | a function that returns it at each of the wavelengths, of which there is one as a rule |
 //! | `WEIGHTS`, `FURTHER`, `DISPERSIVE` | what else a [`Spectrum`](rta_core::trace::Spectrum) has, all empty as a rule |
 //! | `SAMPLES`, `SPREAD` | the samples of a pixel, a [`Sobol`](rta_core::sampling::Sobol), and what else a [`Distributed`](rta_core::trace::Distributed) has; `None` and nothing as a rule |
+//! | `CUTTING`, `CONTRAST` | the [`Cutting`](rta_core::raster::corners::Cutting) of the pixels, and whether they have more samples where the [contrast](rta_core::raster::contrast) is high; `None` and `false` as a rule |
 //! | `MOTIONS`, `Room` | what else a [`Moving`](rta_core::trace::moving::Moving) has: what moves, and the memory of it; empty as a rule |
 //!
-//! so that `Tracer::<_, _, Needs, 5>::new(&SCENE, Rta, 5)` draws it. Where `SAMPLES` is not `None`, that tracer is the first of a
+//! so that `Tracer::<_, _, Needs, 5>::new(&SCENE, Rta, 5)` draws it, by [`Corners`](rta_core::raster::corners::Corners) or
+//! [`Contrasts`](rta_core::raster::contrast::Contrasts) where pixels are antialiased, whose rows are the program's. Where `SAMPLES` is not `None`, that tracer is the first of a
 //! `Distributed`, and where `MOTIONS` is not empty, that is the first of a `Moving`.
 
 use core::fmt;
@@ -43,7 +45,7 @@ pub use crate::model::Model;
 use crate::narrow::moving::proved;
 use crate::narrow::{NarrowError, narrow};
 use crate::pictures::PictureError;
-use crate::sampler::{Lamps, Spreading};
+use crate::sampler::{Adaptive, Lamps, Spreading};
 use crate::shading::{Wavelengths, middle};
 use crate::{in_format, read};
 
@@ -74,6 +76,8 @@ pub struct Recipe {
     /// What spreads the rays of the samples; `None` for one sample in the middle of each pixel, a pinhole, point lamps, smooth surfaces, and
     /// what moves where it is in the middle of the time. Nothing is spread in a picture of several wavelengths.
     pub spreading: Option<Spreading>,
+    /// Adaptive antialiasing, if there is any: then nothing is spread, as if `spreading` were `None`.
+    pub adaptive: Option<Adaptive>,
     /// Whether the quads are in the source, so that the program can solve their radiosity. Those of a scene with solved light are in any case.
     pub radiosity: bool,
 }
@@ -84,7 +88,14 @@ pub const SAMPLES: u32 = 4;
 impl Recipe {
     /// A recipe for a screen of 4 : 3 and the model `Rta`, by which nothing is spread.
     pub const fn new(format: Format) -> Self {
-        Self { format, aspect: 4.0 / 3.0, model: Model::Rta, spreading: None, radiosity: false }
+        Self {
+            format,
+            aspect: 4.0 / 3.0,
+            model: Model::Rta,
+            spreading: None,
+            adaptive: None,
+            radiosity: false,
+        }
     }
 
     /// A recipe for a screen of 4 : 3 as a scene has it: the model that its format was made for, and where something spreads rays, its
@@ -228,7 +239,8 @@ fn source<S: Literal>(scene: &Description, name: &str, recipe: &Recipe) -> Resul
     let limits = limits.map_err(|error| BakeError::Range(OutOfRange::new(error, scene)))?;
     let wavelengths = Wavelengths::new(recipe.model, &scene.air, &narrowed, limits);
     let dispersive = wavelengths.dispersive();
-    let spreading = recipe.spreading.as_ref().filter(|_| !wavelengths.is_dispersive());
+    let is_still = wavelengths.is_dispersive() || recipe.adaptive.is_some();
+    let spreading = recipe.spreading.as_ref().filter(|_| !is_still);
     let medium = scene.air.medium.filter(|_| !scene.lamps.is_empty());
     let used = Used {
         air_reach: scene.air.medium.is_some_and(|medium| medium.reach.is_some()),
@@ -243,6 +255,7 @@ fn source<S: Literal>(scene: &Description, name: &str, recipe: &Recipe) -> Resul
         .unwrap_or_default();
     let _ = quads::write(&mut source, &narrowed);
     let _ = spreads::write(&mut source, &narrowed, spreading, &lists);
+    let _ = spreads::write_adaptive(&mut source, recipe.adaptive);
     let _ = spectrum::write(&mut source, &narrowed, &hierarchy, dispersive);
     let middle = middle(&narrowed, limits);
     let _ = model::write(

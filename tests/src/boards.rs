@@ -4,6 +4,7 @@
 //! The images are the packages of `tests/boards`. They are built with one scene, number format and set of needs each,
 //! run in an emulator, and what they drew is compared byte for byte with what the engine draws here.
 
+mod antialiased;
 pub mod board;
 pub mod compare;
 pub mod dos;

@@ -2,13 +2,14 @@
 //! 1980).
 //!
 //! Where the light at the four corners of a pixel is alike, the pixel is their mean. Where it is not, the pixel is cut into quarters, and
-//! each of them again, down to a depth; a quarter whose corners differ by as much moves the pixel by a quarter of that, so each cut allows
-//! twice the difference. Corners are shared: most pixels cost one ray, and a pixel on an edge about `2^(k + 2)` of them, k being the depth,
-//! for the error of a grid of `2^k x 2^k` samples.
+//! each of them again, down to a depth. Corners are shared: most pixels cost one ray, and a pixel on an edge about `2^(k + 2)` of them, k
+//! being the depth, for the error of a grid of `2^k x 2^k` samples.
 //!
-//! Something small may lie between corners that are alike. Where a pixel beside, to the left or to the right, is cut, the light in the
-//! middle is compared too; and a [`Force`] cuts pixels whatever their corners are, as Whitted does for objects smaller than a pixel.
+//! Something small may lie between corners that are alike. It is rarely alone: where one of the four pixels to the left or to
+//! the right is cut, the light in the middle is compared too, and so is what is known already of the light on the left edge, and within a
+//! pixel on the edges of a quarter, as squares beside have traced it. And a [`Force`] cuts pixels whatever their corners are, as Whitted does for objects smaller than a pixel.
 
+mod cells;
 mod cutting;
 mod keep;
 
@@ -21,6 +22,14 @@ use crate::color::Rgb;
 use crate::scalar::{Light, Scalar, Unit};
 use crate::trace::Trace;
 use crate::trace::dice::Sample;
+use cells::{Cells, mean};
+
+/// Pixels to the left and to the right within which one that is cut has the middle of a pixel looked at: 1152 x 900 pixels of the
+/// thesis's scenes need 4 for the error of 4 x 4 samples, more would find little (host/README.md has the figures).
+const NEAR: u32 = 4;
+
+/// Corners of the lower edge that are traced ahead: those of as many pixels and of this one.
+const AHEAD: usize = NEAR as usize + 2;
 
 /// The rows of a picture, from the top to the bottom. `PLACES` is the room for the light within a pixel, [`Cutting::places`].
 ///
@@ -51,11 +60,6 @@ pub struct Corners<
     memory: T::Memory,
 }
 
-/// The light within one pixel, at the places of a lattice.
-struct Cells<S: Scalar, const PLACES: usize> {
-    light: [Option<Rgb<S::Light>>; PLACES],
-}
-
 impl<'a, S: Scalar, T: Trace<S>, const PLACES: usize, K: Keep<S::Light>> Corners<'a, S, T, PLACES, K> {
     /// Returns the rows of a picture from row `first` on; `None` where `above` is not as long as a row and one, or `PLACES` are too few.
     pub fn new(
@@ -69,7 +73,7 @@ impl<'a, S: Scalar, T: Trace<S>, const PLACES: usize, K: Keep<S::Light>> Corners
         if above.len() != corners || PLACES < cutting.places() {
             return None;
         }
-        let (memory, cells) = (T::Memory::default(), Cells { light: [None; PLACES] });
+        let (memory, cells) = (T::Memory::default(), Cells::NONE);
         let (edges, force) = (&mut [][..], ());
         let mut rows = Self {
             tracer,
@@ -116,27 +120,41 @@ impl<'a, S: Scalar, T: Trace<S>, const PLACES: usize, K: Keep<S::Light>, F: Forc
         }
         let (y, width) = (self.y, self.raster.width());
         self.after = 0;
-        let [below, next] = [0, 1].map(|x| self.corner(x, y + 1));
-        let mut corners = [self.kept(0), self.kept(1), below, next];
-        let (mut was_alike, mut is_alike) = (true, self.are_alike(&corners, 0));
-        for x in 0..width {
-            let [_, right, below, next] = corners;
-            let mut following = [right, right, next, next];
-            let mut will_be_alike = true;
-            if x + 1 < width {
-                following = [right, self.kept(x + 2), next, self.corner(x + 2, y + 1)];
-                will_be_alike = self.are_alike(&following, 0);
-            }
-            put(self.pixel((x, y), &corners, is_alike, was_alike && will_be_alike));
-            self.keep(x, below);
-            if x + 1 == width {
-                self.keep(width, next);
-            }
-            corners = following;
-            (was_alike, is_alike) = (is_alike, will_be_alike);
+        let mut ahead = [Rgb::BLACK; AHEAD];
+        ahead[AHEAD - 1] = self.corner(0, y + 1);
+        // A bit for each of the pixels from this one on whose corners differ, and the number of pixels since one was cut.
+        let (mut differing, mut since) = (0, u32::MAX);
+        for x in 0..=NEAR {
+            differing |= u32::from(self.differs(x, &mut ahead)) << x;
         }
+        for x in 0..width {
+            let [below, next, ..] = ahead;
+            let corners = [self.kept(x), self.kept(x + 1), below, next];
+            let is_near = differing > 0 || since <= NEAR;
+            let (light, is_cut) = self.pixel((x, y), &corners, differing & 1 == 0, is_near);
+            put(light);
+            self.keep(x, below);
+            since = if is_cut { 1 } else { since.saturating_add(1) };
+            differing = (differing >> 1) | u32::from(self.differs(x + 1 + NEAR, &mut ahead)) << NEAR;
+        }
+        let [end, ..] = ahead;
+        self.keep(width, end);
         self.y += 1;
         true
+    }
+
+    /// Returns whether the corners of the pixel in column `x` of the next row differ; `false` beyond it. `ahead` are the last ones of its lower
+    /// edge that were traced, and one more is.
+    fn differs(&mut self, x: u32, ahead: &mut [Rgb<S::Light>; AHEAD]) -> bool {
+        ahead.rotate_left(1);
+        if x >= self.raster.width() {
+            return false;
+        }
+        let light = self.corner(x + 1, self.y + 1);
+        let [.., before, last] = ahead;
+        *last = light;
+        let corners = [self.kept(x), self.kept(x + 1), *before, light];
+        !self.are_alike(corners)
     }
 
     /// Returns the number of rays from the eye so far.
@@ -176,30 +194,30 @@ impl<'a, S: Scalar, T: Trace<S>, const PLACES: usize, K: Keep<S::Light>, F: Forc
         light.map(|light| if light > S::Light::WHITE { S::Light::WHITE } else { light })
     }
 
-    /// Returns the light of a pixel from that of its corners: upper left, upper right, lower left, lower right. `is_alike` tells whether they
-    /// are alike, `amid` whether those of the pixels beside are.
+    /// Returns the light of a pixel from that of its corners: upper left, upper right, lower left, lower right; and whether it was cut.
+    /// `is_alike` tells whether they are alike, `is_near` whether a pixel near by is cut.
     fn pixel(
         &mut self,
         (x, y): (u32, u32),
         corners: &[Rgb<S::Light>; 4],
         is_alike: bool,
-        amid: bool,
-    ) -> Rgb<S::Light> {
+        is_near: bool,
+    ) -> (Rgb<S::Light>, bool) {
         let side = 1u32 << self.cutting.depth;
         let is_forced = self.force.is_cut(x, y);
-        if side == 1 || (is_alike && amid && !is_forced) {
+        if side == 1 || (is_alike && !is_near && !is_forced) {
             self.forget(x);
-            return mean(*corners);
+            return (mean(*corners), false);
         }
         let (first, half) = ((x * side, y * side), side / 2);
         let mut middle = None;
         if is_alike && !is_forced {
             let light = self.light((first.0 + half, first.1 + half));
-            let [a, b, c, d] = *corners;
-            if self.are_alike(&[a, b, c, d, light], 0) {
+            let left = self.is_beside(x).then(|| self.cells.on_right(side).map(|(_, light)| light));
+            if self.are_alike(corners.iter().copied().chain([light]).chain(left.into_iter().flatten())) {
                 self.forget(x);
                 let whole = mean(*corners);
-                return mean([whole, whole, light, light]);
+                return (mean([whole, whole, light, light]), false);
             }
             middle = Some(light);
         }
@@ -213,7 +231,7 @@ impl<'a, S: Scalar, T: Trace<S>, const PLACES: usize, K: Keep<S::Light>, F: Forc
         let quarters = [(0, 0), (half, 0), (0, half), (half, half)];
         let light = mean(quarters.map(|at| self.square(first, at, half, is_forced)));
         self.leave(x);
-        light
+        (light, true)
     }
 
     /// Returns the light of a square within a pixel whose place on the picture's lattice is `pixel`: `at` is its upper left, `size` its side.
@@ -228,11 +246,13 @@ impl<'a, S: Scalar, T: Trace<S>, const PLACES: usize, K: Keep<S::Light>, F: Forc
                 light
             }
         });
-        let cuts = side.ilog2() - size.ilog2();
-        if size == 1 || (!is_forced && self.are_alike(&corners, cuts)) {
+        if size == 1 {
             return mean(corners);
         }
         let half = size / 2;
+        if !is_forced && self.are_alike(corners.into_iter().chain(self.cells.on_edges((x, y), half, side))) {
+            return mean(corners);
+        }
         let quarters = [(x, y), (x + half, y), (x, y + half), (x + half, y + half)];
         mean(quarters.map(|at| self.square(pixel, at, half, is_forced)))
     }
@@ -249,16 +269,18 @@ impl<'a, S: Scalar, T: Trace<S>, const PLACES: usize, K: Keep<S::Light>, F: Forc
         self.edges.get_mut(first..first.saturating_add(edges)).unwrap_or_default()
     }
 
+    /// Returns whether the cells are still those of the pixel to the left, which was cut.
+    const fn is_beside(&self, x: u32) -> bool {
+        self.after == x && x > 0
+    }
+
     /// Makes the cells ready for a pixel, with the light of its left and of its upper edge that is known.
     fn enter(&mut self, x: u32) {
         let side = 1 << self.cutting.depth;
-        let is_beside = self.after == x && x > 0;
-        let cells = core::mem::replace(&mut self.cells.light, [None; PLACES]);
-        let cells = Cells::<S, PLACES> { light: cells };
-        for y in 1..side {
-            if let Some(light) = cells.get((side, y), side).filter(|_| is_beside) {
-                self.cells.keep((0, y), side, light);
-            }
+        let is_beside = self.is_beside(x);
+        let cells = core::mem::replace(&mut self.cells, Cells::NONE);
+        for (y, light) in cells.on_right(side).filter(|_| is_beside) {
+            self.cells.keep((0, y), side, light);
         }
         for at in 1..side {
             let known = self.edge(x).get(at as usize - 1).copied();
@@ -285,38 +307,18 @@ impl<'a, S: Scalar, T: Trace<S>, const PLACES: usize, K: Keep<S::Light>, F: Forc
         self.edge(x).fill(Self::unknown());
     }
 
-    /// Returns whether lights differ by no more than the tolerance after so many cuts.
-    fn are_alike<const N: usize>(&self, lights: &[Rgb<S::Light>; N], cuts: u32) -> bool {
-        let tolerance = S::Light::WHITE.times(S::Unit::ratio(i64::from(self.cutting.tolerance) << cuts, 256));
-        let spread = |register: fn(&Rgb<S::Light>) -> S::Light| {
-            let all = || lights.iter().map(register);
-            let low = all().fold(S::Light::WHITE, |low, light| if light < low { light } else { low });
-            let high = all().fold(S::Light::ZERO, |high, light| if light > high { light } else { high });
-            high <= low.plus(tolerance)
-        };
-        spread(|light| light.r) && spread(|light| light.g) && spread(|light| light.b)
-    }
-}
-
-impl<S: Scalar, const PLACES: usize> Cells<S, PLACES> {
-    fn index((x, y): (u32, u32), side: u32) -> usize {
-        usize::try_from(y * (side + 1) + x).unwrap_or(usize::MAX)
-    }
-
-    fn get(&self, at: (u32, u32), side: u32) -> Option<Rgb<S::Light>> {
-        self.light.get(Self::index(at, side)).copied().flatten()
-    }
-
-    fn keep(&mut self, at: (u32, u32), side: u32, light: Rgb<S::Light>) {
-        if let Some(place) = self.light.get_mut(Self::index(at, side)) {
-            *place = Some(light);
+    /// Returns whether lights differ by no more than the tolerance.
+    fn are_alike(&self, lights: impl IntoIterator<Item = Rgb<S::Light>>) -> bool {
+        let tolerance = S::Light::WHITE.times(S::Unit::ratio(self.cutting.tolerance.into(), 256));
+        let mut low = Rgb::BLACK.map(|_: S::Light| S::Light::WHITE);
+        let mut high = Rgb::BLACK;
+        for light in lights {
+            low = low.zip(light, |low, light| if light < low { light } else { low });
+            high = high.zip(light, |high, light| if light > high { light } else { high });
         }
+        let Rgb { r, g, b } = low.zip(high, |low, high| high <= low.plus(tolerance));
+        r && g && b
     }
-}
-
-fn mean<L: Light>(four: [Rgb<L>; 4]) -> Rgb<L> {
-    let sum = four.into_iter().fold(Rgb::BLACK, Rgb::plus);
-    sum.map(|light| light.times(L::Unit::ratio(1, 4)))
 }
 
 #[cfg(test)]

@@ -13,7 +13,7 @@ use super::light::LightArgs;
 use crate::spreading::SpreadArgs;
 use crate::value::device::Device;
 use crate::value::raster::{Aspect, Size};
-use crate::value::sampling::Samples;
+use crate::value::sampling::{AdaptiveValue, Samples};
 use rta_scenes::{Format, Model};
 
 /// How a scene file is read.
@@ -146,6 +146,11 @@ pub struct BakeArgs {
     /// one ray a pixel]
     #[arg(long, value_name = "N", verbatim_doc_comment)]
     pub samples: Option<Samples>,
+    /// Adaptive antialiasing: whitted, whitted:K or mitchell
+    ///
+    /// The program keeps the rows that it needs, and draws the picture from the top to the bottom. Nothing is spread.
+    #[arg(long, value_name = "WAY", conflicts_with_all = ["samples", "seed", "lamps", "split", "aperture", "light", "radiosity"])]
+    pub aa: Option<AdaptiveValue>,
     /// What spreads rays
     #[command(flatten)]
     pub spread: SpreadArgs,

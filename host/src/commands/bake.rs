@@ -11,6 +11,7 @@ use rta_scenes::sampler::{Sampler, Spreading};
 use rta_scenes::solution::Shown;
 
 use crate::args::spreading::{SamplerKind, SpreadingArgs};
+use crate::args::value::sampling::AdaptiveValue;
 use crate::args::{BakeArgs, TracingArgs};
 use crate::commands::render::Work;
 use crate::engine::interrupt;
@@ -45,7 +46,9 @@ pub fn run(args: &BakeArgs) -> Result<(), Error> {
     let aspect = args.aspect.ratio();
     let fit = Fit { format: args.format, aspect, model: Some(model), depth: 0, asked: args.fit };
     let description = fit.scaled(&scene);
-    let recipe = Recipe { format: args.format, aspect, model, spreading, radiosity: args.radiosity };
+    let adaptive = args.aa.map(|AdaptiveValue(adaptive)| adaptive);
+    let recipe =
+        Recipe { format: args.format, aspect, model, spreading, adaptive, radiosity: args.radiosity };
     let source = match bake::module(&description, &scene.title, &recipe) {
         Ok(source) => source,
         Err(BakeError::Narrow(error)) => return Err(fit.refused(&scene, error.into()).into()),
@@ -84,9 +87,10 @@ fn palette(
 ) -> Result<String, Error> {
     let coloring = Coloring { table: TableKind::Baked, dither: DitherKind::None, samples: 0 };
     let aspect = Some(args.aspect);
-    let (size, Recipe { format, model, spreading, .. }) = (args.size, *recipe);
+    let (size, Recipe { format, model, spreading, adaptive, .. }) = (args.size, *recipe);
     let asked = TracingArgs { format, size, aspect, model: Some(model), ..TracingArgs::default() };
-    let sampling = spreading.map_or(Sampler::CENTER, Sampler::Sobol);
+    let spread = spreading.map_or(Sampler::CENTER, Sampler::Sobol);
+    let sampling = adaptive.map_or(spread, Sampler::Adaptive);
     let request = Request { coloring, sampling, ..Request::of(&asked, Target::On(device)) };
     let levels = Work::new(&request, scene, None, stop)?.quiet(true).palette(device)?;
     let gun_max = device.capabilities().gun_max;

@@ -11,7 +11,7 @@ use rta_core::trace::dice::Spread;
 use super::literal::{Literal, direction, length, place, unit};
 use super::module::{ALLOW, List, write_names};
 use crate::narrow::Narrowed;
-use crate::sampler::{Lamps, Spreading};
+use crate::sampler::{Adaptive, Lamps, Spreading};
 
 /// Returns what of a scene that needs `used` is needed to spread its rays, too.
 pub(super) fn used<S: Literal>(scene: &Narrowed<S>, spreading: Option<&Spreading>, used: Used) -> Used {
@@ -81,6 +81,25 @@ pub(super) fn write<S: Literal>(
     }
     writeln!(out, "    ]\n}};")?;
     write_room(out, lists)
+}
+
+/// Writes how pixels are antialiased, if they are.
+pub(super) fn write_adaptive(out: &mut impl Write, adaptive: Option<Adaptive>) -> fmt::Result {
+    let path = "::rta_core::raster::corners::Cutting";
+    let (cutting, has_contrast) = match adaptive {
+        None => ("None".into(), false),
+        Some(Adaptive::Whitted(cutting)) => {
+            (format!("{path}::new({}, {})", cutting.depth(), cutting.tolerance()), false)
+        }
+        Some(Adaptive::Mitchell) => ("None".into(), true),
+    };
+    writeln!(
+        out,
+        "\n/// How pixels are cut where the light at their corners differs; `None` where they are not.\n{ALLOW}"
+    )?;
+    writeln!(out, "pub const CUTTING: Option<{path}> = {cutting};")?;
+    writeln!(out, "\n/// Whether pixels have more samples where the contrast is high.\n{ALLOW}")?;
+    writeln!(out, "pub const CONTRAST: bool = {has_contrast};")
 }
 
 /// Writes the fields of what spreads, within an item.

@@ -6,7 +6,7 @@ use rta_core::needs::Used;
 
 use super::{BakeError, Format, Model, Recipe, module};
 use crate::description::{Description, FallOff};
-use crate::sampler::{Lamps, Spreading};
+use crate::sampler::{Adaptive, Cutting, Lamps, Spreading};
 use crate::{dat, shipped};
 
 /// What a scene without coats, and of which no rays are spread, leaves out.
@@ -239,6 +239,24 @@ fn what_spreads_rays_is_needed_where_it_does() {
         ] {
             assert_eq!(spread(text, lamps, format), (needed.to_owned(), items), "{text}");
         }
+    }
+}
+
+#[test]
+fn pixels_are_antialiased_where_that_is_asked_and_nothing_is_spread_then() {
+    let text = STILL.replace("lens 1.2", "lens 1.2  aperture .5") + "sphere at 0 0 1  radius 1\n";
+    let scene = crate::read(text.as_bytes(), "scene.rta").expect("a scene");
+    let of = |adaptive| source(&scene, &Recipe { adaptive, ..Recipe::of(Format::Q16, &scene) });
+    let path = "::rta_core::raster::corners::Cutting";
+    for (adaptive, cutting, has_contrast) in [
+        (None, "None".to_owned(), false),
+        (Cutting::new(3, 7).map(Adaptive::Whitted), format!("{path}::new(3, 7)"), false),
+        (Some(Adaptive::Mitchell), "None".to_owned(), true),
+    ] {
+        let source = of(adaptive);
+        assert!(source.contains(&format!("CUTTING: Option<{path}> = {cutting};")), "{source}");
+        assert!(source.contains(&format!("CONTRAST: bool = {has_contrast};")), "{source}");
+        assert_eq!(needs(&source, true).contains(&"LENS"), adaptive.is_none());
     }
 }
 

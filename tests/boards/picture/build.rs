@@ -7,6 +7,7 @@
 //! | `RTA_FORMAT` | `q16`, `q20` or `f32` | `q16` |
 //! | `RTA_LAMPS` | `point`; `area`: places on lamps with a size, so that shadows have soft edges | `point` |
 //! | `RTA_SAMPLES` | samples of a pixel, a power of two | where something spreads rays, what the scene says, or 4 |
+//! | `RTA_AA` | `none`; `whitted`: pixels are cut where the light at their corners differs; `mitchell`: they have more samples where the contrast is high; nothing is spread then | `none` |
 //! | `RTA_LIGHT` | `lamps`; `radiosity`: the board solves for the indirect light, too | `lamps` |
 //! | `RTA_EYE` | `rays`; `buffer`: rays from the eye are found by a Z-buffer of one row | `rays` |
 //! | `RTA_NEEDS` | `baked`: only what the scene needs; `everything` | `baked` |
@@ -19,7 +20,7 @@ use std::fs;
 use std::path::PathBuf;
 
 use rta_scenes::bake::{Format, Model, Recipe, SAMPLES, bake_by};
-use rta_scenes::sampler::{Integrator, Lamps, Sobol, Spreading};
+use rta_scenes::sampler::{Adaptive, Cutting, Integrator, Lamps, Sobol, Spreading};
 
 fn main() -> Result<(), Box<dyn Error>> {
     let variable = |name: &str, default: &str| {
@@ -50,6 +51,12 @@ fn main() -> Result<(), Box<dyn Error>> {
         "" => None,
         number => Some(Sobol::new(number.parse()?, 0).ok_or("RTA_SAMPLES is a number from 1 to 16384")?),
     };
+    let adaptive = match variable("RTA_AA", "none").as_str() {
+        "none" => None,
+        "whitted" => Some(Adaptive::Whitted(Cutting::default())),
+        "mitchell" => Some(Adaptive::Mitchell),
+        other => return Err(format!("RTA_AA is none, whitted or mitchell, not {other}").into()),
+    };
     let radiosity = match variable("RTA_LIGHT", "lamps").as_str() {
         "lamps" => false,
         "radiosity" => true,
@@ -67,7 +74,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         let integrator = Integrator::Whitted;
         let asked = |samples| Some(Spreading { samples, lamps, split: 1, integrator });
         let spreading = samples.map_or(natural, asked);
-        Recipe { model, spreading, radiosity, ..recipe }
+        Recipe { model, spreading, adaptive, radiosity, ..recipe }
     })?;
     let (needs, baked) = match variable("RTA_NEEDS", "baked").as_str() {
         "baked" => ("scene::Needs", true),

@@ -18,9 +18,11 @@ use rta_drivers::quantize::{Adaptive, ColorTable, Uniform};
 use rta_drivers::ssd0323::Ssd0323;
 use rta_drivers::ssd0323::emulated::{MEMORY_SIZE, Oled};
 use rta_scenes::bake::{self, TEXELS};
+use rta_scenes::description::Description;
 use rta_scenes::sampler::{Sampler, Spreading};
 
 use super::Failure;
+use super::antialiased::{self, Rows};
 use super::board::Output;
 use super::picture::{Colors, Picture};
 
@@ -77,19 +79,34 @@ impl Display for Paper {
 /// The most samples of which a board makes a palette.
 const SAMPLES: u32 = 1024;
 
-/// Returns the engine for a picture.
-fn engine(picture: &Picture, (width, height): (u32, u32)) -> Result<Engine, Failure> {
+/// Returns the scene of a picture.
+fn scene(picture: &Picture) -> Result<Description, Failure> {
     let text = std::fs::read(&picture.file)?;
     let mut scene = rta_scenes::read(&text, &picture.file.display().to_string())?;
     scene.load_pictures(picture.file.parent().unwrap_or_else(|| Path::new("")), TEXELS)?;
     if picture.solves {
         scene = scene.unsolved();
     }
+    Ok(scene)
+}
+
+/// Returns the engine for a picture.
+fn engine(picture: &Picture, (width, height): (u32, u32)) -> Result<Engine, Failure> {
+    let scene = scene(picture)?;
     let format: Format = picture.format;
     let model = picture.model.unwrap_or(scene.model);
     let sampling =
         Spreading::of(&scene, picture.lamps, bake::SAMPLES).map_or(Sampler::CENTER, Sampler::Sobol);
     Ok(Engine::new(&scene, &Settings { width, height, format, model, sampling, ..Settings::default() })?)
+}
+
+/// Returns the rows of a picture as a board draws them.
+fn rows(picture: &Picture, size: (u32, u32)) -> Result<Rows, Failure> {
+    if let Some(adaptive) = picture.antialiased {
+        return antialiased::rows((picture, &scene(picture)?), size, adaptive);
+    }
+    let engine = engine(picture, size)?;
+    Ok(Box::new(move |y, most, row| engine.level_rows(y, most, row)))
 }
 
 /// Draws a picture of the engine's on a display of 256 colours, with `table` unless a palette is made for it.
@@ -99,13 +116,14 @@ fn paint(
     gun_max: u8,
     table: impl ColorTable + Send + 'static,
 ) -> Result<Indexed, Failure> {
-    let engine = engine(picture, (width, height))?;
+    let mut rows = rows(picture, (width, height))?;
     let capabilities = Capabilities { width, height, colors: 256, gun_max, aspect: (4, 3) };
     let dither = if picture.colors == Colors::Dithered { DitherKind::Fs } else { DitherKind::None };
     let coloring = Coloring { table: TableKind::Sampled, dither, samples: SAMPLES };
     let table: Box<dyn ColorTable + Send> = match picture.colors {
         Colors::Standard => Box::new(table),
         Colors::Sampled | Colors::Dithered => {
+            let engine = engine(picture, (width, height))?;
             let lattice = Lattice::new(Raster::new(width, height)?, coloring.samples());
             let (columns, rows) = (lattice.grid().width(), lattice.grid().height());
             let mut samples = vec![Rgb::new(0, 0, 0); columns as usize * rows as usize];
@@ -118,7 +136,7 @@ fn paint(
     let mut painter = Painter::dithered(Paper { capabilities, shown }, Any(table), dithering)?;
     let mut row = vec![Rgb::new(0, 0, 0); width as usize];
     for y in 0..height {
-        engine.level_rows(y, painter.light_max(), &mut row);
+        rows(y, painter.light_max(), &mut row);
         painter.put_row(0, y, row.iter().copied())?;
     }
     Ok(painter.into_parts().0.shown)

@@ -43,6 +43,8 @@ a figure drifts by more than 5 %.
   are drawn in the uniform table, which lies in flash. On `lm3s6965evb-oled` there is no table: 128 x 64 pixels of 16 greys, with error
   diffusion in one gun (2 bytes for each of the 128 columns, on the stack).
 - Needs `Z-buffer`: the baked scene, whose rays from the eye are found by a Z-buffer of one row.
+- Needs `aa whitted` and `aa mitchell`: the baked scene, with adaptive antialiasing; its rows, packed to 3 bytes a pixel, and a row of pixels are on
+  the stack.
 - Before: instructions before the first row, where the palette is made: 1000 rays, and the cuts.
 - Instructions: retired a pixel, with all that is done from there to the last of the picture. They are instructions, not
   cycles: the emulator models no pipeline and no wait states of a flash memory.

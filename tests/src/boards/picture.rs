@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use rta::engine::Format;
 use rta_scenes::bake::Model;
-use rta_scenes::sampler::Lamps;
+use rta_scenes::sampler::{Adaptive, Cutting, Lamps};
 
 use super::board::{Board, Output};
 
@@ -17,6 +17,15 @@ pub enum Colors {
     Sampled,
     /// By such a palette, with error diffusion.
     Dithered,
+}
+
+/// Returns the name of a way of antialiasing, as images are told it.
+#[must_use]
+pub const fn way(adaptive: Adaptive) -> &'static str {
+    match adaptive {
+        Adaptive::Whitted(_) => "whitted",
+        Adaptive::Mitchell => "mitchell",
+    }
 }
 
 impl Colors {
@@ -48,6 +57,8 @@ pub struct Picture {
     pub solves: bool,
     /// Whether a Z-buffer finds what the rays from the eye meet.
     pub buffered: bool,
+    /// How pixels are antialiased, if they are.
+    pub antialiased: Option<Adaptive>,
     /// Whether the program holds only what this scene needs, or all that any scene may need.
     pub baked: bool,
     /// How its colours are chosen.
@@ -94,6 +105,7 @@ impl Picture {
             ("microbit", "opaque", Format::Q16) | ("mps2-an386", "juggler", Format::F32)
         );
         match self.colors {
+            Colors::Standard if self.antialiased.is_some() => board.name == ANTIALIASED,
             Colors::Standard if self.buffered => matches!(board.name, "microbit" | "sparc" | "wasm"),
             Colors::Standard => {
                 if self.baked {
@@ -115,6 +127,8 @@ impl Picture {
         }
         match self.colors {
             Colors::Standard if self.buffered => "Z-buffer",
+            Colors::Standard if self.antialiased == Some(Adaptive::Mitchell) => "aa mitchell",
+            Colors::Standard if self.antialiased.is_some() => "aa whitted",
             Colors::Standard if self.baked => "baked",
             Colors::Standard => "Everything",
             // Baked too.
@@ -168,6 +182,9 @@ const ROOM: (&str, &str) = ("room", "scenes/room.rta");
 
 /// The raster of both.
 const OF_SPREAD: (u32, u32) = (40, 30);
+
+/// The board that draws the Juggler with antialiasing: the smallest.
+const ANTIALIASED: &str = "microbit";
 
 /// The scenes that are drawn: name, and file relative to the folder of the boards.
 const SCENES: [(&str, &str); 4] = [
@@ -224,6 +241,7 @@ impl Board {
                     lamps: Lamps::Point,
                     solves: false,
                     buffered: false,
+                    antialiased: None,
                     baked: true,
                     colors: Colors::Standard,
                     size,
@@ -235,6 +253,10 @@ impl Board {
                     && !matches!(self.output, Output::Panel { .. } | Output::File { .. })
                 {
                     pictures.push(Picture { buffered: true, ..picture.clone() });
+                }
+                if scene == "juggler" && format == Format::Q16 && self.name == ANTIALIASED {
+                    let ways = [Adaptive::Whitted(Cutting::default()), Adaptive::Mitchell].map(Some);
+                    pictures.extend(ways.map(|antialiased| Picture { antialiased, ..picture.clone() }));
                 }
                 if everything {
                     pictures.push(Picture { baked: false, ..picture.clone() });
@@ -267,6 +289,7 @@ impl Board {
             lamps: Lamps::Point,
             solves: false,
             buffered: false,
+            antialiased: None,
             baked: true,
             colors: Colors::Standard,
             size,

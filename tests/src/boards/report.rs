@@ -61,8 +61,9 @@ pub fn miscounted(rows: &[Row], version: &str) -> Vec<String> {
     for recorded in counted::ALL.iter().filter(|_| version == counted::COMPILER) {
         let Counted { board, scene, format, size, instructions: then } = *recorded;
         let own = rows.iter().find(|row| {
-            let Picture { baked, buffered, colors, model, .. } = row.picture;
-            let is_plain = baked && !buffered && colors == Colors::Standard && model.is_none();
+            let Picture { baked, buffered, antialiased, colors, model, .. } = row.picture;
+            let is_plain =
+                baked && !buffered && antialiased.is_none() && colors == Colors::Standard && model.is_none();
             let picture = (row.board.name, row.picture.scene, row.picture.format, row.picture.size);
             is_plain && picture == (board, scene, format, size)
         });

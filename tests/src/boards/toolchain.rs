@@ -7,7 +7,7 @@ use std::process::Command;
 use rta_scenes::sampler::Lamps;
 
 use super::board::Board;
-use super::picture::Picture;
+use super::picture::{Picture, way};
 use super::{Failure, folder};
 
 /// A compiler that has the target, or the sources of `core` to build it from.
@@ -111,6 +111,7 @@ impl Toolchain {
             .env("RTA_MODEL", picture.model.map_or("", |model| model.name()))
             .env("RTA_FORMAT", picture.format.to_string())
             .env("RTA_LAMPS", if picture.lamps == Lamps::Point { "point" } else { "area" })
+            .env("RTA_AA", picture.antialiased.map_or("none", way))
             .env("RTA_LIGHT", if picture.solves { "radiosity" } else { "lamps" })
             .env("RTA_EYE", if picture.buffered { "buffer" } else { "rays" })
             .env("RTA_NEEDS", if picture.baked { "baked" } else { "everything" })

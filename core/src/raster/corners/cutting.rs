@@ -38,6 +38,11 @@ impl Cutting {
         self.depth
     }
 
+    /// Returns the tolerance, in 256ths of white.
+    pub const fn tolerance(self) -> u8 {
+        self.tolerance
+    }
+
     /// Returns how many places of a pixel have light of their own at most: `(2^depth + 1)^2`, the room of a [`Corners`](super::Corners).
     pub const fn places(self) -> usize {
         let side = (1 << self.depth) + 1;

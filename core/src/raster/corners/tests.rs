@@ -6,6 +6,8 @@ use super::{Corners, Cutting, Force, Keep, Packed};
 use crate::color::Rgb;
 use crate::raster::Raster;
 use crate::raster::edge::{Edge, camera, random_edges};
+use crate::scalar::vector::{UnitVec3, Vec3, Vector};
+use crate::trace::{Observer, Trace};
 
 /// Returns rms error, mean error and mean number of rays of 20000 random edges through a picture of one pixel.
 fn measured<const PLACES: usize>(depth: u8) -> [f64; 3] {
@@ -118,21 +120,66 @@ fn a_forced_pixel_is_cut_to_the_full_depth() {
     let rows = Corners::<_, _>::new(&edge, (&camera, raster), Cutting::default(), &mut above, 0);
     let mut rows = rows.expect("room").forced(Only(3, 2));
     while rows.next_row(|light| assert!((light.r - 1.0).abs() < 1e-12)) {}
-    assert_eq!(rows.rays(), 9 * 7 + 25 - 4);
+    // The middles of the four pixels to its right are looked at: that it would be cut was not known of those to its left.
+    assert_eq!(rows.rays(), 9 * 7 + 25 - 4 + 4);
 }
 
 #[test]
-fn the_middle_is_seen_beside_a_pixel_that_is_cut() {
-    // From just right of the corners at x = 3 of 8, so that only pixel 2 is cut; its neighbours are asked in their middles.
-    let edge = Edge { normal: [1.0, 0.0], distance: 2.5 / 8.0 - 0.5 };
-    let (camera, raster) = (camera(), Raster::new(8, 1).expect("small"));
-    let mut above = [Rgb::BLACK; 9];
+fn the_middle_is_seen_near_a_pixel_that_is_cut() {
+    // Through pixel 4, whose left quarters alone are cut; the four pixels on either side are asked in their middles.
+    let edge = Edge { normal: [1.0, 0.0], distance: 4.4 / 12.0 - 0.5 };
+    let (camera, raster) = (camera(), Raster::new(12, 1).expect("small"));
+    let mut above = [Rgb::BLACK; 13];
     let rows = Corners::<_, _>::new(&edge, (&camera, raster), Cutting::default(), &mut above, 0);
     let (mut rows, mut lights) = (rows.expect("room"), Lights::new());
     while rows.next_row(|light| put(&mut lights, light.r)) {}
-    let (cut, middles) = (rows.rays() - 18, 2);
-    assert!(cut > middles && cut <= 21 + middles, "{cut}");
-    assert!((lights[1] - 1.0).abs() < 1e-12 && lights[3].abs() < 1e-12, "{lights:?}");
+    // Of the columns 0 to 4 of its lattice, those at 1 and 2, and without the corners of the pixel those at 0 and, in the middle, at 4.
+    let (cut, middles) = (rows.rays() - 2 * 13, 8);
+    assert_eq!(cut, 5 + 5 + 3 + 1 + middles);
+    assert!((lights[3] - 1.0).abs() < 1e-12 && lights[5].abs() < 1e-12, "{lights:?}");
+}
+
+/// White where a point of the image plane is in one of some boxes, black elsewhere.
+struct Boxes([[[f64; 2]; 2]; 2]);
+
+impl Trace<f64> for Boxes {
+    type Memory = ();
+
+    fn trace<O: Observer<f64> + ?Sized>(
+        &self,
+        _origin: Vec3<f64>,
+        direction: UnitVec3<f64>,
+        (): &mut (),
+        _observer: &mut O,
+    ) -> Rgb<f64> {
+        let place = [direction.x() / direction.y() + 0.5, 0.5 - direction.z() / direction.y()];
+        let is_in = |[low, high]: &[[f64; 2]; 2]| (0..2).all(|i| (low[i]..high[i]).contains(&place[i]));
+        let light = f64::from(u8::from(self.0.iter().any(is_in)));
+        Rgb::new(light, light, light)
+    }
+}
+
+/// Returns the light of the pixels of a picture of two pixels side by side, with the corner of the first white and a box, in pixels.
+fn beside_a_corner(low: [f64; 2], high: [f64; 2]) -> Lights<f64> {
+    let boxes = Boxes([[[-1.0, -1.0], [0.01, 0.01]], [[low[0] / 2.0, low[1]], [high[0] / 2.0, high[1]]]]);
+    let (camera, raster) = (camera(), Raster::new(2, 1).expect("small"));
+    let mut above = [Rgb::BLACK; 3];
+    let rows = Corners::<_, _>::new(&boxes, (&camera, raster), Cutting::default(), &mut above, 0);
+    let (mut rows, mut lights) = (rows.expect("room"), Lights::new());
+    while rows.next_row(|light| put(&mut lights, light.r)) {}
+    lights
+}
+
+#[test]
+fn what_is_known_of_the_edges_is_compared() {
+    // The first pixel meets the bar in its middle and on the edge in common; the second has it neither at its corners nor in its middle.
+    let lights = beside_a_corner([0.4, 0.45], [1.3, 0.55]);
+    // Squares of 1/16 with two white corners of four: two above and two below the bar at each of the columns 0 and 1.
+    assert!((lights[1] - (0.5 + 1.0) / 16.0).abs() < 1e-12, "{lights:?}");
+    // Within the first pixel the upper left quarter meets the bar on the edge of the upper right one, whose corners are black.
+    let lights = beside_a_corner([0.2, 0.2], [0.8, 0.3]);
+    // Columns 1, 2 and 3 of one row have the weight 1/16, and its corner 1/64.
+    assert!((lights[0] - 3.0 / 16.0 - 1.0 / 64.0).abs() < 1e-12, "{lights:?}");
 }
 
 /// A picture whose corners are rounded to levels before they are kept, one by one.

@@ -5,7 +5,7 @@ use rta_core::trace::Trace;
 use rta_drivers::direct::{DirectColor, DirectDisplay, DirectPainter};
 use rta_drivers::dither::{Diffusion, DirectCell, FloydSteinberg};
 
-use crate::{DrawError, Drawing, HEIGHT, WIDTH, draw_sized, scene};
+use crate::{ADAPTIVE, DrawError, Drawing, HEIGHT, WIDTH, draw_sized, scene};
 
 /// Draws the picture, `WIDTH` x `HEIGHT` from the upper left pixel, with error diffusion in each gun; calls `row` before the first row and
 /// after each.
@@ -33,6 +33,7 @@ impl<D: DirectDisplay, R: FnMut()> Drawing for Direct<D, R> {
         places: impl Places,
         raster: Raster,
     ) -> Result<D, DrawError<D::Error>> {
+        const { assert!(!ADAPTIVE, "displays with direct colour have no antialiasing") };
         let mut cells = [DirectCell::<<D::Color as DirectColor>::Guns>::default(); WIDTH as usize];
         let diffusion = Diffusion::<FloydSteinberg, _, _>::new(&mut cells[..], raster.width() as usize);
         let diffusion = diffusion.map_err(DrawError::Dither)?;

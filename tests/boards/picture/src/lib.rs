@@ -2,6 +2,7 @@
 
 #![no_std]
 
+mod antialiased;
 pub mod console;
 pub mod direct;
 pub mod elapsed;
@@ -121,19 +122,17 @@ const SPREADS: bool = scene::SAMPLES.is_some();
 /// Whether something moves while the shutter is open.
 const MOVES: bool = !scene::MOTIONS.is_empty() || scene::SPREAD.eye.is_some();
 
+/// Whether pixels are antialiased where light differs.
+const ADAPTIVE: bool = scene::CUTTING.is_some() || scene::CONTRAST;
+
+/// Pixels of the longest row: of the board's own picture, or of that of [`checksum`].
+const ROW: usize = if WIDTH > 160 { WIDTH as usize } else { 160 };
+
 /// The tracer of the baked scene with its model, by whichever accelerator it has.
 type Traced<'a, M, A> = Tracer<'a, scene::Number, M, Needs, { DEPTH as usize }, A>;
 
 /// Such a tracer behind a Z-buffer, whose row takes the board's own picture and that of [`checksum`].
-type Buffered<'a, M, A> = ZBuffer<
-    'a,
-    scene::Number,
-    M,
-    Needs,
-    { DEPTH as usize },
-    { if WIDTH > 160 { WIDTH as usize } else { 160 } },
-    A,
->;
+type Buffered<'a, M, A> = ZBuffer<'a, scene::Number, M, Needs, { DEPTH as usize }, ROW, A>;
 
 /// What is done with the tracer of the scene.
 trait Drawing {
@@ -248,8 +247,7 @@ impl<D: Display, T: ColorTable, R: FnMut()> Drawing for Indexed<D, T, R> {
         }
         let mut palette = palette(tracer, raster, display.capabilities()).map_err(DrawError::Table)?;
         if COLORS == Colors::Dithered {
-            // The hash is that of rows of 160.
-            let mut cells = [Cell::default(); if WIDTH < 160 { 160 } else { WIDTH as usize }];
+            let mut cells = [Cell::default(); ROW];
             if let Ok(diffusion) = Diffusion::<Damped, _>::new(&mut cells[..], raster.width() as usize) {
                 let painter =
                     Painter::dithered(display, &mut palette, diffusion).map_err(DrawError::Display)?;
@@ -289,6 +287,11 @@ fn paint<D: Display, T: ColorTable, H: Dither>(
     mut row: impl FnMut(),
 ) -> Result<D, DrawError<D::Error>> {
     row();
+    if ADAPTIVE {
+        antialiased::put_rows(tracer, raster, &mut painter, (left, top), row)?;
+        painter.update().map_err(DrawError::Display)?;
+        return Ok(painter.into_parts().0);
+    }
     let most = painter.light_max();
     for y in 0..raster.height() {
         let light = Pixels::sampled(tracer, &scene::CAMERA, raster, places, y, y + 1);
