@@ -47,7 +47,7 @@ fn nothing_happens_that_must_not() {
     }
     let refused = |row: &&Row| matches!(row.outcome, Outcome::Refused(_));
     assert!(rows.iter().filter(refused).all(|row| row.format != FORMATS[0]), "f32 is refused");
-    assert!(rows.iter().filter(refused).count() <= 11, "too much is refused to say anything");
+    assert!(rows.iter().filter(refused).count() <= 20, "too much is refused to say anything");
 }
 
 #[test]
@@ -90,7 +90,7 @@ fn spread_rays_agree_with_f64_at_the_ends_of_what_spreads_them() {
             }
         }
     }
-    assert!(seen > 80 && refused == 3, "{seen} traced, {refused} refused");
+    assert!(seen > 130 && refused == 12, "{seen} traced, {refused} refused");
 }
 
 #[test]

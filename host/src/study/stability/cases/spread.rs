@@ -68,6 +68,42 @@ pub(super) fn all() -> Vec<Case> {
         let ball = format!("sphere at .5 4 1.5  radius .5  color .7 .6 .5  moves {moves}\n");
         add(name, DULL, &[EYE, LAMP, &ball]);
     }
+    for (name, moves) in [
+        ("0", "0 0 0"),
+        ("1e-4", "1e-4 0 0"),
+        ("through a ball", "8 14 -12"),
+        ("through the floor", "0 0 -40"),
+        ("beyond a format", "9000 0 0"),
+        ("beyond both formats", "90000 0 0"),
+    ] {
+        let lamp = format!("lamp at -4 -2 7  radius .5  power 60  square  moves {moves}\n");
+        add(&format!("velocity of a lamp {name}"), DULL, &[EYE, &lamp]);
+    }
+    let square = "lamp corner -5 -3 7  edges 2 0 0  0 2 0  color .8 .8 .6  moves 8 14 -12\n";
+    add("velocity of a parallelogram of a lamp through a ball", DULL, &[EYE, square]);
+    for (name, moves) in [
+        ("0", "0 0 0"),
+        ("1e-4", "1e-4 0 0"),
+        ("through a ball", "0 12 -2"),
+        ("through the floor", "0 0 -9"),
+        ("beyond a format", "9000 0 0"),
+        ("beyond both formats", "90000 0 0"),
+    ] {
+        let eye = format!("camera at 0 0 2  look 0 1 -.1  moves {moves}\n");
+        add(&format!("velocity of the eye {name}"), DULL, &[&eye, LAMP]);
+    }
+    for (name, extinction, reach) in [
+        ("1e-3", ".1", "1e-3"),
+        ("before everything", ".1", "2"),
+        ("behind everything", ".1", "90"),
+        ("1, of extinction 0", "0", "1"),
+        ("1, of extinction 1e3", "1e3", "1"),
+        ("beyond a format", ".01", "9000"),
+        ("beyond both formats", ".01", "90000"),
+    ] {
+        let medium = format!("medium extinction {extinction}  albedo .9  shadows 8  reach {reach}\n");
+        add(&format!("medium with a reach {name}"), DULL, &[EYE, LAMP, &medium]);
+    }
     for extinction in ["0", "1e-4", "1e3"] {
         let medium =
             format!("medium extinction {extinction} {extinction} {extinction}  albedo .9  shadows 8\n");
