@@ -218,7 +218,7 @@ fn what_spreads_rays_is_needed_where_it_does() {
         let source = source(&scene, &Recipe { spreading, ..Recipe::new(form) });
         let own = &UNCOVERED[9..];
         let needs = needs(&source, true).into_iter().filter(|need| own.contains(need)).collect::<Vec<_>>();
-        let items = ["= None;", "MOTIONS: [::rta_core::trace::moving::Motion<Number>; 0]"];
+        let items = ["Sobol> = None;", "MOTIONS: [::rta_core::trace::moving::Motion<Number>; 0]"];
         (needs.join(" "), items.map(|item| source.contains(item)))
     };
     for format in [Format::F32, Format::Q16] {
