@@ -153,6 +153,9 @@ needs! {
     EYE_MOTION eye_motion,
     /// Rough surfaces, where rays are distributed; they need [`Needs::MIRROR`].
     GLOSS gloss,
+    /// Of these, surfaces of grooves with Beckmann's slopes: [`Spread::slopes`](crate::trace::dice::Spread::slopes); they need
+    /// [`Needs::GLOSS`].
+    GROOVES grooves,
 }
 
 /// All constants true: for a program that reads its scene at run time.

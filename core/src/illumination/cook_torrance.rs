@@ -115,6 +115,17 @@ impl<S: Scalar, F: Reflecting<S>> Row<S> for CookTorranceRow<S, F> {
     }
 }
 
+/// Returns the slopes of the facets of a material; those of a share of 0 are left out.
+pub fn beckmann_slopes<S: Scalar>(material: &impl Properties<S>) -> [Roughness<S::Unit>; MOST_SLOPES] {
+    let first = material.slope(0).unwrap_or_else(|| Roughness {
+        share: S::Unit::ONE,
+        inverse: <S::Unit as Unit>::Positive::new(10, 0).over(Positive::new(3, 0)),
+    });
+    let none = Roughness { share: S::Unit::ZERO, inverse: first.inverse };
+    let rest = |index| material.slope(index).unwrap_or(none);
+    [first, rest(1), rest(2), rest(3)]
+}
+
 impl<S: Scalar, F> CookTorranceRow<S, F> {
     fn slopes(&self) -> &[Roughness<S::Unit>] {
         let count = self.slopes.iter().take_while(|slope| slope.share > S::Unit::ZERO).count();
@@ -135,19 +146,12 @@ impl<S: Scalar, G: Hidden<S::Unit>, F: Reflecting<S> + 'static> Tabled<S> for Co
             Kind::Opaque | Kind::Mirror => zero,
             Kind::Shiny | Kind::Glass => S::Unit::ratio(1, 5),
         };
-        let default = Roughness {
-            share: one,
-            inverse: <S::Unit as Unit>::Positive::new(10, 0).over(Positive::new(3, 0)),
-        };
-        let first = material.slope(0).unwrap_or(default);
-        let none = Roughness { share: zero, inverse: first.inverse };
-        let rest = |index| material.slope(index).unwrap_or(none);
         CookTorranceRow {
             ambient: material.ambient().unwrap_or(if kind == Kind::Mirror { zero } else { one }),
             share: material.specular().filter(|_| kind != Kind::Mirror).unwrap_or(share),
             is_diffuse: kind != Kind::Mirror,
             reflection: F::of(material),
-            slopes: [first, rest(1), rest(2), rest(3)],
+            slopes: beckmann_slopes(material),
             mirror: material.mirror().unwrap_or(if kind == Kind::Mirror { one } else { zero }),
         }
     }

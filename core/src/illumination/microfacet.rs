@@ -9,12 +9,14 @@ use crate::scalar::{Exponent, Positive, Scalar, Unit};
 
 mod attenuation;
 mod distribution;
+mod visible;
 
 pub use attenuation::{Attenuation, Sancer, TorranceSparrow};
 pub use distribution::{Beckmann, Distribution, Gauss, Power, Trowbridge};
+pub use visible::{Sight, Visible};
 
 /// A part of the facets of a rough surface, with the root of the mean square of their slopes, m.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Roughness<U: Unit> {
     /// The part, 0 to 1; those of a surface add up to 1.
     pub share: U,

@@ -8,9 +8,13 @@ use core::fmt::Debug;
 
 use crate::camera::Aperture;
 use crate::color::Rgb;
+use crate::illumination::microfacet::{Roughness, Visible};
+use crate::illumination::table::MOST_SLOPES;
 use crate::light::area::Square;
+use crate::needs::Needs;
 use crate::radiosity::Indirect;
 use crate::ray::RayKind;
+use crate::sampling::mapping::Facets;
 use crate::sampling::pairs::{Pairs, Purpose, pair};
 use crate::scalar::vector::Vec3;
 use crate::scalar::{Scalar, Unit};
@@ -33,6 +37,24 @@ pub trait Dice<S: Scalar>: Copy {
     /// `node`: two numbers of 32 bits behind the point.
     fn facet(self, _material: u16, _node: Self::Node) -> Option<(S::Unit, [u32; 2])> {
         None
+    }
+
+    /// Returns the slopes of a material by its number that is rough by [grooves](Visible::Grooved); none of other materials.
+    fn slopes<'d>(self, _material: u16) -> &'d [Roughness<S::Unit>]
+    where
+        Self: 'd,
+    {
+        &[]
+    }
+
+    /// Returns the facets of a rough material by its number and its roughness.
+    fn facets<'d, N: Needs>(self, material: u16, roughness: S::Unit) -> Visible<'d, S::Unit>
+    where
+        Self: 'd,
+        S: 'd,
+    {
+        let slopes = if N::GROOVES { self.slopes(material) } else { &[] };
+        if slopes.is_empty() { Visible::Round(Facets { roughness }) } else { Visible::Grooved(slopes) }
     }
 
     /// Returns the places on lamp number `lamp` that light the point where the ray at `node` ends, or the air on its way, as `purpose` says;
@@ -110,6 +132,10 @@ pub struct Spread<'a, S: Scalar> {
     pub aperture: Option<Aperture<S>>,
     /// Roughness of the materials, 0 to 1, in the order of the scene's materials as far as any is rough.
     pub roughness: &'a [S::Unit],
+    /// Slopes of the materials that are rough by [grooves](Visible::Grooved) with Beckmann's slopes, with shares that add up to 1, in the
+    /// order of the scene's materials as far as any is; those of a share of 0 are left out, and of other materials, whose roughness alone counts,
+    /// all are.
+    pub slopes: &'a [[Roughness<S::Unit>; MOST_SLOPES]],
     /// Which triangles are faces of one body, for [`Lamps::Cone`]: a number for each, equal for those of one body, which follow one another, in
     /// the order of the scene's triangles; those beyond are bodies by themselves.
     pub bodies: &'a [u32],
@@ -128,6 +154,7 @@ impl<S: Scalar> Spread<'_, S> {
         squares: &[],
         aperture: None,
         roughness: &[],
+        slopes: &[],
         bodies: &[],
         indirect: None,
         eye: None,
@@ -189,6 +216,15 @@ impl<S: Scalar> Dice<S> for &Thrown<'_, S> {
     fn facet(self, material: u16, node: u32) -> Option<(S::Unit, [u32; 2])> {
         let roughness = *self.spread.roughness.get(usize::from(material))?;
         (roughness > S::Unit::ZERO).then(|| (roughness, self.words(Purpose::Lobe, node)))
+    }
+
+    fn slopes<'d>(self, material: u16) -> &'d [Roughness<S::Unit>]
+    where
+        Self: 'd,
+    {
+        let slopes = self.spread.slopes.get(usize::from(material)).map_or(&[][..], |slopes| slopes);
+        let count = slopes.iter().take_while(|slope| slope.share > S::Unit::ZERO).count();
+        slopes.get(..count).unwrap_or_default()
     }
 
     fn step(self, node: u32) -> Option<S::Unit> {

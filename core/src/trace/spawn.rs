@@ -10,7 +10,6 @@ use crate::color::Rgb;
 use crate::illumination::{Illumination, Secondary, Weight};
 use crate::material::Glass;
 use crate::needs::Needs;
-use crate::sampling::mapping::Facets;
 use crate::scalar::Scalar;
 use crate::scalar::vector::{LengthVector, UnitVector};
 use crate::surface::Surface;
@@ -43,7 +42,8 @@ impl<S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Accelerator
             && let (_, dice, node) = parent
             && let Some((roughness, words)) = dice.facet(surface.number, node)
         {
-            return self.spawn_rough(surface, (Facets { roughness }, words), parent, sum, observer);
+            let facets = dice.facets::<N>(surface.number, roughness);
+            return self.spawn_rough(surface, (facets, words), parent, sum, observer);
         }
         if N::MESHES && surface.mesh.is_some() {
             return self.spawn_of_mesh(surface, parent, sum, observer);

@@ -6,7 +6,7 @@ use rta_core::color::Rgb;
 use rta_core::illumination::air::{Distance, Fog, Haze, Medium};
 use rta_core::illumination::fresnel::Conductor;
 use rta_core::illumination::microfacet::Roughness;
-use rta_core::illumination::table::{Exact, PositiveOf, Reflection, Row, Tabled, Value};
+use rta_core::illumination::table::{Exact, MOST_SLOPES, PositiveOf, Reflection, Row, Tabled, Value};
 use rta_core::scalar::Unit;
 
 use super::Model;
@@ -98,14 +98,17 @@ fn literal<S: Literal>(value: Value<S>) -> String {
             );
             format!("{PATH}::table::Exact {{ metal: {metal}, plain: {} }}", reflection(plain))
         }
-        Value::Slopes(slopes) => {
-            let slope = |Roughness { share, inverse }| {
-                let (share, inverse) = (unit::<S>(share), positive::<S>(inverse));
-                format!("{PATH}::microfacet::Roughness {{ share: {share}, inverse: {inverse} }}")
-            };
-            format!("[{}]", slopes.map(slope).join(", "))
-        }
+        Value::Slopes(own) => slopes::<S>(own),
     }
+}
+
+/// Returns the expression of the slopes of a material.
+pub(super) fn slopes<S: Literal>(slopes: [Roughness<S::Unit>; MOST_SLOPES]) -> String {
+    let slope = |Roughness { share, inverse }| {
+        let (share, inverse) = (unit::<S>(share), positive::<S>(inverse));
+        format!("{PATH}::microfacet::Roughness {{ share: {share}, inverse: {inverse} }}")
+    };
+    format!("[{}]", slopes.map(slope).join(", "))
 }
 
 fn reflection<S: Literal>(

@@ -9,6 +9,7 @@ use rta_core::scene::Object;
 use rta_core::trace::dice::Spread;
 
 use super::literal::{Literal, direction, length, place, unit};
+use super::model;
 use super::module::{ALLOW, List, write_names};
 use crate::narrow::Narrowed;
 use crate::sampler::{Adaptive, Lamps, Spreading};
@@ -27,6 +28,7 @@ pub(super) fn used<S: Literal>(scene: &Narrowed<S>, spreading: Option<&Spreading
         lens: scene.spreads.aperture.is_some(),
         eye_motion: scene.spreads.eye.is_some(),
         gloss: used.mirror && !scene.spreads.roughness.is_empty(),
+        grooves: used.mirror && !scene.spreads.slopes.is_empty(),
         ..used
     }
 }
@@ -104,7 +106,7 @@ pub(super) fn write_adaptive(out: &mut impl Write, adaptive: Option<Adaptive>) -
 
 /// Writes the fields of what spreads, within an item.
 fn write_spread<S: Literal>(out: &mut impl Write, spread: &Spread<S>) -> fmt::Result {
-    let Spread { lamps, split, squares, aperture, roughness, bodies, indirect: _, eye } = spread;
+    let Spread { lamps, split, squares, aperture, roughness, slopes, bodies, indirect: _, eye } = spread;
     let square = |square: &Option<Square<S>>| {
         let Some(Square { corner, middle, edges, normal, least: (least, inverse) }) = square else {
             return "None".to_owned();
@@ -121,6 +123,7 @@ fn write_spread<S: Literal>(out: &mut impl Write, spread: &Spread<S>) -> fmt::Re
     };
     let squares: Vec<_> = squares.iter().map(square).collect();
     let roughness: Vec<_> = roughness.iter().map(|&own| unit::<S>(own)).collect();
+    let slopes: Vec<_> = slopes.iter().map(|&own| model::slopes::<S>(own)).collect();
     let aperture = aperture.map_or_else(
         || "None".into(),
         |lens| {
@@ -136,9 +139,10 @@ fn write_spread<S: Literal>(out: &mut impl Write, spread: &Spread<S>) -> fmt::Re
         out,
         "    ::rta_core::trace::dice::Spread {{\n        lamps: ::rta_core::trace::dice::Lamps::{lamps:?},\n        \
          split: {split},\n        squares: const {{ &[{}] }},\n        aperture: {aperture},\n        \
-         roughness: const {{ &[{}] }},\n        bodies: &{bodies:?},\n        indirect: None,\n        eye: {eye},\n    }}",
+         roughness: const {{ &[{}] }},\n        slopes: const {{ &[{}] }},\n        bodies: &{bodies:?},\n        indirect: None,\n        eye: {eye},\n    }}",
         squares.join(", "),
-        roughness.join(", ")
+        roughness.join(", "),
+        slopes.join(", ")
     )
 }
 

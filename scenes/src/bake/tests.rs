@@ -10,7 +10,7 @@ use crate::sampler::{Adaptive, Cutting, Lamps, Spreading};
 use crate::{dat, shipped};
 
 /// What a scene without coats, and of which no rays are spread, leaves out.
-const UNCOVERED: [&str; 19] = [
+const UNCOVERED: [&str; 20] = [
     "COATS",
     "CHECKER",
     "MARBLE",
@@ -30,6 +30,7 @@ const UNCOVERED: [&str; 19] = [
     "SPREAD_AIR",
     "EYE_MOTION",
     "GLOSS",
+    "GROOVES",
 ];
 
 fn read(text: &str) -> Description {
@@ -206,6 +207,8 @@ fn what_spreads_rays_is_needed_where_it_does() {
     let lens = still.replace("lens 1.2", "lens 1.2  aperture .5");
     let rough =
         still.clone() + "material dull like mirror  roughness .2\nsphere at 3 0 1  radius 1  of dull\n";
+    let grooved =
+        rough.replace("rta 1", "rta 1\nmodel cook-torrance lobes").replace("  roughness .2", "  slope .2");
     let ball = still.lines().filter(|line| !line.contains("corner")).collect::<Vec<_>>().join("\n");
     let moving = still.clone() + "sphere at 3 0 1  radius 1  moves 1 0 0\n";
     let eye = still.replace("lens 1.2", "lens 1.2  moves 0 0 1");
@@ -229,6 +232,7 @@ fn what_spreads_rays_is_needed_where_it_does() {
             (&ball, Lamps::Area, "AREA_LAMPS", [false, true]),
             (&ball, Lamps::Cone, "AREA_LAMPS CONE_LAMPS", [false, true]),
             (&rough, Lamps::Point, "GLOSS", [false, true]),
+            (&grooved, Lamps::Point, "GLOSS GROOVES", [false, true]),
             (&moving, Lamps::Point, "", [false, false]),
             (&eye, Lamps::Point, "EYE_MOTION", [false, true]),
             (&lamp, Lamps::Point, "", [false, false]),

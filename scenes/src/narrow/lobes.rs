@@ -2,6 +2,11 @@
 
 use std::borrow::Cow;
 
+use rta_core::illumination::beckmann_slopes;
+use rta_core::illumination::microfacet::Roughness;
+use rta_core::illumination::table::MOST_SLOPES;
+
+use super::Narrow;
 use super::variant::Options;
 use crate::description::{Description, Kind, Material};
 use crate::gloss;
@@ -19,7 +24,7 @@ impl Options {
     /// Returns how rough a material is, 0 to 1, by the facets of a model with the option `lobes`; `None` without it, and for a material that
     /// reflects and transmits no rays. Facets are spread by Trowbridge and Reitz, which for theirs is exact: the roughness is c. A slope m of
     /// Beckmann's is the roughness m, as the two agree near the normal but for a factor of the tails, and of several slopes it is the root of the
-    /// mean square. Other facets have as many at the same angle as half of those straight up ([`gloss`](crate::gloss)).
+    /// mean square; by itself it counts only with `sancer`, as [grooves](Self::lobe_slopes) are spread by Beckmann's own. Other facets have as many at the same angle as half of those straight up ([`gloss`](crate::gloss)).
     pub(crate) fn lobe(&self, model: Model, material: &Material) -> Option<f64> {
         self.numbers(model, LOBES)?;
         let own = self.said(model, material);
@@ -52,6 +57,21 @@ impl Options {
             _ => return None,
         };
         Some(roughness.clamp(0.0, 1.0))
+    }
+}
+
+impl Options {
+    /// Returns the slopes of a material by whose grooves its mirror rays are spread: those of Cook and Torrance with the option `lobes`, but not
+    /// `sancer`. `None` of others, and of a material that says its roughness itself.
+    pub(crate) fn lobe_slopes<S: Narrow>(
+        &self,
+        model: Model,
+        material: &Material,
+    ) -> Option<[Roughness<S::Unit>; MOST_SLOPES]> {
+        let is_grooved = model == Model::CookTorrance && self.numbers(model, "sancer").is_none();
+        (is_grooved && material.roughness.is_none()).then_some(())?;
+        self.lobe(model, material)?;
+        Some(beckmann_slopes::<S>(&*self.said(model, material)))
     }
 }
 

@@ -1,6 +1,8 @@
 //! What spreads rays in a scene: lamps with a size, a lens, rough materials.
 
 use rta_core::camera::{Aperture, Camera};
+use rta_core::illumination::microfacet::Roughness;
+use rta_core::illumination::table::MOST_SLOPES;
 use rta_core::light::area::Square;
 use rta_core::trace::dice::Spread;
 use rta_core::trace::moving::Motion;
@@ -24,6 +26,8 @@ pub struct Spreads<S: Narrow> {
     pub aperture: Option<Aperture<S>>,
     /// Roughness of the materials, in their order as far as any is rough.
     pub roughness: Vec<S::Unit>,
+    /// Slopes of the materials that are rough by grooves, in their order as far as any is; of a share of 0 for the others.
+    pub slopes: Vec<[Roughness<S::Unit>; MOST_SLOPES]>,
     /// The bodies of the triangles, by a number for each, equal for faces of one body.
     pub bodies: Vec<u32>,
     /// The lamps whose light paths meet on triangles.
@@ -37,13 +41,14 @@ pub struct Spreads<S: Narrow> {
 impl<S: Narrow> Narrowed<S> {
     /// Returns what spreads, borrowed, where lamps are asked as `asked` says.
     pub fn spread(&self, asked: &Spreading) -> Spread<'_, S> {
-        let Spreads { squares, aperture, roughness, bodies, eye, .. } = &self.spreads;
+        let Spreads { squares, aperture, roughness, slopes, bodies, eye, .. } = &self.spreads;
         Spread {
             lamps: asked.lamps,
             split: asked.split,
             squares,
             aperture: *aperture,
             roughness,
+            slopes,
             bodies,
             indirect: self.lit.as_ref().and_then(|lit| lit.indirect(&self.scene())),
             eye: *eye,
@@ -78,10 +83,16 @@ impl<S: Narrow> Spreads<S> {
         let rough = roughness.iter().rposition(|own| *own > 0.0);
         let mut roughness: Vec<_> = roughness.into_iter().map(S::unit).collect();
         roughness.truncate(rough.map_or(0, |last| last + 1));
+        let slopes: Vec<_> =
+            said.iter().map(|own| options.lobe_slopes::<S>(description.model, own)).collect();
+        let grooved = slopes.iter().rposition(Option::is_some).map_or(0, |last| last + 1);
+        let none = Roughness { share: S::unit(0.0), inverse: <S as Narrow>::power(1.0) };
+        let slopes = slopes.into_iter().take(grooved).map(|own| own.unwrap_or([none; MOST_SLOPES]));
         Ok(Self {
             squares,
             aperture: aperture(description, camera)?,
             roughness,
+            slopes: slopes.collect(),
             bodies: bodies(description),
             emitters: shining.iter().map(emitter).collect(),
             motions: motions(description)?,

@@ -82,6 +82,34 @@ fn models_spread_mirror_rays_by_their_own_lobes_where_they_are_asked() {
 }
 
 #[test]
+fn grooves_are_spread_by_their_own_slopes() {
+    let slopes = |model: &str, material: &str| {
+        let text = format!(
+            "rta 1\nmodel {model}\ncamera at 0 -5 1  look 0 1 0\nmaterial m {material}\nsphere at 0 0 1  radius 1  of m\n"
+        );
+        let scene = crate::read(text.as_bytes(), "lobes.rta").expect("a scene");
+        let spreads = narrow::<f64>(&scene, 1.0).expect("it is small").spreads;
+        let own = spreads.slopes.first().copied().into_iter().flatten().filter(|slope| slope.share > 0.0);
+        own.map(|slope| (slope.share, (1e6 / slope.inverse).round() / 1e6)).collect::<Vec<_>>()
+    };
+    for (model, material, exact) in [
+        ("cook-torrance", "like mirror  slope .2", vec![]),
+        ("cook-torrance lobes", "like mirror", vec![(1.0, 0.3)]),
+        (
+            "cook-torrance lobes",
+            "like mirror  slope .1 share .25  slope .5 share .75",
+            vec![(0.25, 0.1), (0.75, 0.5)],
+        ),
+        ("cook-torrance lobes", "like mirror  slope .2  roughness .2", vec![]),
+        ("cook-torrance lobes sancer", "like mirror  slope .2", vec![]),
+        ("cook-torrance lobes", "color 1 1 1", vec![]),
+        ("blinn-full lobes", "like mirror", vec![]),
+    ] {
+        assert_eq!(slopes(model, material), exact, "{model}, {material}");
+    }
+}
+
+#[test]
 fn lobes_are_those_of_the_model_that_draws() {
     let text = "rta 1\nmodel cook-torrance lobes\ncamera at 0 -5 1  look 0 1 0\nsphere at 0 0 1  radius 1  of mirror\n";
     let scene = crate::read(text.as_bytes(), "lobes.rta").expect("a scene");

@@ -1,11 +1,11 @@
 //! The light of lamps at a point of a path: by shadow rays, and by paths that meet them.
 
 use super::Paths;
-use super::lobes::{DIFFUSE, Left, Lobes, REFLECTED, density, scaled};
+use super::lobes::{DIFFUSE, Left, Lobes, REFLECTED, scaled};
 use crate::accelerator::Accelerator;
 use crate::color::Rgb;
 use crate::illumination::Illumination;
-use crate::illumination::microfacet::Facet;
+use crate::illumination::microfacet::{Facet, Sight};
 use crate::light::area::Glimpse;
 use crate::light::{Incident, Lamp};
 use crate::needs::{Needs, Opaque};
@@ -201,8 +201,10 @@ impl<'a, S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Acceler
         let facet = lobes.rough().filter(|_| is_shared).and_then(|facets| {
             let view = -surface.incoming;
             let facet = Facet::between::<S>(surface.normal, place.direction, view)?;
-            let density = density::<S>(facets, facet.slope, facet.view);
-            let passed = facets.passed(facet.view, facet.light).positive();
+            let Facet { slope, light, view, incidence } = facet;
+            let sight = Sight { slope: slope.cosine, view, incidence };
+            let density = facets.density(slope, &sight);
+            let passed = facets.passed(&sight, light).positive();
             let share = share(lobes.chance(REFLECTED).positive().times(density));
             Some(density.times(passed).over(cosine).times(share).times(among))
         });

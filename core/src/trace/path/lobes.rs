@@ -1,10 +1,10 @@
 //! The directions in which a path may leave a surface, and which of them it takes.
 
 use crate::color::Rgb;
-use crate::illumination::microfacet::{Distribution, Slope, Trowbridge};
+use crate::illumination::microfacet::{Sight, Slope, Visible};
 use crate::illumination::{Bend, Illumination, Secondary, Weight};
 use crate::needs::Needs;
-use crate::sampling::mapping::{Facets, hemisphere};
+use crate::sampling::mapping::hemisphere;
 use crate::scalar::vector::{LengthVector, UnitVec3, UnitVector, Vec3};
 use crate::scalar::{Light, Positive, Scalar, Unit};
 use crate::surface::Surface;
@@ -20,14 +20,14 @@ pub(super) const TRANSMITTED: usize = 2;
 
 /// What a surface does with the light that a path brings, by lobes: diffuse, reflected, transmitted.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Lobes<S: Scalar> {
+pub(super) struct Lobes<'a, S: Scalar> {
     /// What of the light each sends back, 0 to 1.
     parts: [Rgb<S::Unit>; 3],
     /// The chance with which the path takes each; what is left of 1 is that of its end.
     chances: [S::Unit; 3],
     may_end: bool,
     /// The facets of a rough surface.
-    facets: Option<Facets<S::Unit>>,
+    facets: Option<Visible<'a, S::Unit>>,
     /// The normal about which light is reflected and refracted: that of a facet, or of the surface.
     normal: UnitVec3<S>,
     /// Where transmitted light goes.
@@ -62,13 +62,13 @@ pub(super) struct Next<S: Scalar> {
     pub(super) left: Left<S>,
 }
 
-impl<S: Scalar> Lobes<S> {
+impl<'a, S: Scalar> Lobes<'a, S> {
     /// Returns the lobes of a surface at a node of a path of this weight. `most` is the largest chance with which the path goes on where it
     /// may end there by chance.
     pub(super) fn of<M: Illumination<S>, N: Needs>(
         model: &M,
         surface: &Surface<S>,
-        (dice, node): (&Thrown<S>, u32),
+        (dice, node): (&'a Thrown<'_, S>, u32),
         (weight, most): (Rgb<S::Power>, Option<S::Unit>),
     ) -> Self {
         let black = surface.color.map(|_| S::Unit::ZERO);
@@ -78,7 +78,7 @@ impl<S: Scalar> Lobes<S> {
         let mut reflected = reflected.unwrap_or(black);
         let is_shiny = reflected != black || transmitted.is_some();
         let facet = if N::GLOSS && is_shiny { dice.facet(surface.number, node) } else { None };
-        let facets = facet.map(|(roughness, _)| Facets { roughness });
+        let facets = facet.map(|(roughness, _)| dice.facets::<N>(surface.number, roughness));
         let normal = facets.zip(facet).map_or(surface.normal, |(facets, (_, words))| {
             facets.seen::<S>(surface.normal, -surface.incoming, words)
         });
@@ -123,7 +123,7 @@ impl<S: Scalar> Lobes<S> {
     }
 
     /// Returns the facets whose image of a lamp is found by shadow rays too: those of a rough surface that transmits nothing.
-    pub(super) fn rough(&self) -> Option<Facets<S::Unit>> {
+    pub(super) fn rough(&self) -> Option<Visible<'a, S::Unit>> {
         self.facets.filter(|_| self.through.is_none())
     }
 
@@ -180,10 +180,12 @@ impl<S: Scalar> Lobes<S> {
         if out <= S::Unit::ZERO {
             return None;
         }
-        let passed = facets.passed(view, out).positive();
+        let incidence = -self.normal.dot(surface.incoming);
+        let sight = Sight { slope: surface.normal.dot(self.normal), view, incidence };
+        let passed = facets.passed(&sight, out).positive();
         let left = match self.rough() {
             Some(facets) => {
-                let density = density::<S>(facets, Slope::between(surface.normal, self.normal), view);
+                let density = facets.density(Slope::between(surface.normal, self.normal), &sight);
                 Left::Rough(Chance { density: density.times(chance), cosine, from })
             }
             None => Left::Sharp,
@@ -221,18 +223,6 @@ fn chances<S: Scalar>(
 fn largest<S: Scalar>(of: Rgb<S::Power>) -> S::Power {
     let more = |a: S::Power, b: S::Power| if b.unit() > a.unit() { b } else { a };
     more(more(of.r, of.g), of.b)
-}
-
-/// Returns how often the facets that a ray sees reflect it into a direction: the density over the solid angle, times pi. `slope` is the
-/// angle of the facets that do, `view` the cosine with which the ray meets the surface.
-pub(super) fn density<S: Scalar>(facets: Facets<S::Unit>, slope: Slope<S::Unit>, view: S::Unit) -> S::Power {
-    let alpha = facets.roughness;
-    let hidden = S::Unit::radical(view, alpha, alpha.times(view)).unwrap_or(view);
-    // D G1 / (4 N.V), with G1 = 2 N.V / (N.V + root) and D that of Blinn over pi alpha^2.
-    let facing = Trowbridge { roundness: alpha }.density(&slope);
-    let alpha = alpha.positive();
-    let divisor = view.positive().plus(hidden.positive()).times(S::Power::new(2, 0));
-    facing.over(alpha.times(alpha).times(divisor))
 }
 
 /// Returns the ray that leaves a surface in a direction, on the side of its normal or on the other.

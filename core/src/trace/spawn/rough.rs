@@ -4,9 +4,9 @@ use super::super::decision::{refract, secondary};
 use super::super::dice::Dice;
 use super::{Child, Parent, Sum};
 use crate::accelerator::Accelerator;
+use crate::illumination::microfacet::{Sight, Visible};
 use crate::illumination::{Bend, Illumination, Weight};
 use crate::needs::Needs;
-use crate::sampling::mapping::Facets;
 use crate::scalar::vector::{UnitVec3, UnitVector};
 use crate::scalar::{Scalar, Unit};
 use crate::surface::Surface;
@@ -22,7 +22,7 @@ impl<S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Accelerator
     pub(super) fn spawn_rough<D: Dice<S>, O: Observer<S> + ?Sized>(
         &self,
         surface: &Surface<S>,
-        (facets, words): (Facets<S::Unit>, [u32; 2]),
+        (facets, words): (Visible<'_, S::Unit>, [u32; 2]),
         parent: Parent<S, M::Weight, D>,
         sum: Sum<S, M::Weight, D::Node, STACK>,
         observer: &mut O,
@@ -30,12 +30,13 @@ impl<S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Accelerator
         let view = -surface.incoming;
         let normal = facets.seen::<S>(surface.normal, view, words);
         let facet = Surface { normal, ..*surface };
-        let seen = surface.normal.dot(view);
+        let slope = surface.normal.dot(normal);
+        let sight = Sight { slope, view: surface.normal.dot(view), incidence: normal.dot(view) };
         // The part of the light that passes in a direction, above the surface or below it; `None` on the other side.
         let passed = |direction: UnitVec3<S>, is_above: bool| {
             let cosine = surface.normal.dot(direction);
             let cosine = if is_above { cosine } else { -cosine };
-            (cosine > S::Unit::ZERO).then(|| facets.passed(seen, cosine))
+            (cosine > S::Unit::ZERO).then(|| facets.passed(&sight, cosine))
         };
         let dimmed = |weight: Option<M::Weight>, part: Option<S::Unit>| {
             weight.zip(part).map(|(weight, part)| weight.dimmed(part))
