@@ -22,7 +22,7 @@ pub struct Lit<S: Scalar> {
     pub arriving: Vec<Rgb<S::Light>>,
     /// What arrives elsewhere, over pi: the mean over the area of the patches.
     pub elsewhere: Rgb<S::Light>,
-    /// What arrives at the corners of each patch, over pi, once it is kept ([`Lit::keep`]); else none.
+    /// What arrives at the corners of each patch, over pi, once it is kept; else none.
     pub corners: Vec<Corners<S>>,
     /// What is needed to gather it anew for a picture, where that is asked for.
     pub gathering: Option<Gathering<S>>,

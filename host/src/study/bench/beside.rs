@@ -142,7 +142,7 @@ impl Rows {
     /// Draws all pictures, of so many pixels, in a folder, as often as it is asked for, compares each and counts its instructions.
     ///
     /// # Errors
-    /// [`StudyError::Bench`] where a program fails, and [`StudyError::INTERRUPTED`].
+    /// [`StudyError::Bench`] where a program fails, and an interrupt.
     pub fn new(
         works: &[Work],
         args: &BenchArgs,
