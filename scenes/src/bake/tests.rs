@@ -218,7 +218,7 @@ fn what_spreads_rays_is_needed_where_it_does() {
     let spread = |text: &str, lamps, form: Format| {
         let scene = crate::read(text.as_bytes(), "scene.rta").expect("a scene");
         let spreading = Spreading::of(&scene, lamps, 4);
-        let source = source(&scene, &Recipe { spreading, ..Recipe::new(form) });
+        let source = source(&scene, &Recipe { spreading, ..Recipe::of(form, &scene) });
         let own = &UNCOVERED[9..];
         let needs = needs(&source, true).into_iter().filter(|need| own.contains(need)).collect::<Vec<_>>();
         let items = ["Sobol> = None;", "MOTIONS: [::rta_core::trace::moving::Motion<Number>; 0]"];
