@@ -1,5 +1,5 @@
-//! What the source of a baked scene says. That it compiles and draws the right picture is seen in `tests/baked.rs` of
-//! `rta-tests`.
+//! What the source of a baked scene says. That it compiles and draws the right picture is seen in the tests of
+//! `rta-baked`.
 #![allow(clippy::indexing_slicing)] // a test may panic
 
 use rta_core::needs::Used;
