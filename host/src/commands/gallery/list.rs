@@ -105,13 +105,13 @@ const AMONG_OTHERS: &[[&str; 4]] = &[
     ],
     [
         "scenes/cornell-light-pictures.png",
-        "The Cornell box by ambient light, distributed rays, radiosity, two passes and paths",
+        "The Cornell box by ambient light, distributed rays, radiosity, two passes, an irradiance cache and paths",
         LIGHT,
         "cornell-light-pictures.png",
     ],
     [
         "scenes/cornell-light.png",
-        "Work-precision diagram of the Cornell box: error against cost by five methods",
+        "Work-precision diagram of the Cornell box: error against cost by six methods",
         LIGHT,
         "cornell-light.png",
     ],
