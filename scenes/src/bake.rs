@@ -26,8 +26,8 @@
 //! | `MOTIONS`, `Room` | what else a [`Moving`](rta_core::trace::moving::Moving) has: what moves, and the memory of it; empty as a rule |
 //!
 //! so that `Tracer::<_, _, Needs, 5>::new(&SCENE, Rta, 5)` draws it, by [`Corners`](rta_core::raster::corners::Corners) or
-//! [`Contrasts`](rta_core::raster::contrast::Contrasts) where pixels are antialiased, whose rows are the program's. Where `SAMPLES` is not `None`, that tracer is the first of a
-//! `Distributed`, and where `MOTIONS` is not empty, that is the first of a `Moving`.
+//! [`Contrasts`](rta_core::raster::contrast::Contrasts) where pixels are antialiased, whose rows are the program's. Where `SAMPLES` is not
+//! `None`, that tracer is the first of a `Distributed`, and where `MOTIONS` is not empty, that is the first of a `Moving`.
 
 use core::fmt;
 use std::path::{Path, PathBuf};

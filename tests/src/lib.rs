@@ -1,6 +1,7 @@
 //! Tools of the tests that span several crates: independent renderers ([`oracle`]), generated scenes
 //! ([`random_scenes`]), golden pictures ([`golden`]), comparison of pictures ([`picture`],
-//! [`agreement`], [`exact`]), bytes that every build draws ([`baseline`], [`deterministic`]), points of surfaces as a model is asked about them ([`point`]), and the boards under emulation ([`boards`]).
+//! [`agreement`], [`exact`]), bytes that every build draws ([`baseline`], [`deterministic`]), points of surfaces as a model is asked about
+//! them ([`point`]), and the boards under emulation ([`boards`]).
 
 pub mod agreement;
 pub mod baseline;

@@ -115,7 +115,7 @@ impl<S: Scalar, F: Reflecting<S>> Row<S> for CookTorranceRow<S, F> {
     }
 }
 
-/// Returns the slopes of the facets of a material; those of a share of 0 are left out.
+/// Returns the slopes of the facets of a material; behind them entries of a share of 0, which [`Roughness::used`] leaves out.
 pub fn beckmann_slopes<S: Scalar>(material: &impl Properties<S>) -> [Roughness<S::Unit>; MOST_SLOPES] {
     let first = material.slope(0).unwrap_or_else(|| Roughness {
         share: S::Unit::ONE,
@@ -128,8 +128,7 @@ pub fn beckmann_slopes<S: Scalar>(material: &impl Properties<S>) -> [Roughness<S
 
 impl<S: Scalar, F> CookTorranceRow<S, F> {
     fn slopes(&self) -> &[Roughness<S::Unit>] {
-        let count = self.slopes.iter().take_while(|slope| slope.share > S::Unit::ZERO).count();
-        self.slopes.get(..count).unwrap_or_default()
+        Roughness::used(&self.slopes)
     }
 }
 

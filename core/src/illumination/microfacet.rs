@@ -24,6 +24,14 @@ pub struct Roughness<U: Unit> {
     pub inverse: U::Positive,
 }
 
+impl<U: Unit> Roughness<U> {
+    /// Returns those before the first of a share of 0.
+    pub fn used(all: &[Self]) -> &[Self] {
+        let count = all.iter().take_while(|own| own.share > U::ZERO).count();
+        all.get(..count).unwrap_or_default()
+    }
+}
+
 /// The angle between the normal of a surface and that of a facet.
 #[derive(Clone, Copy, Debug)]
 pub struct Slope<U: Unit> {

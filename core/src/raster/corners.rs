@@ -7,7 +7,8 @@
 //!
 //! Something small may lie between corners that are alike. It is rarely alone: where one of the four pixels to the left or to
 //! the right is cut, the light in the middle is compared too, and so is what is known already of the light on the left edge, and within a
-//! pixel on the edges of a quarter, as squares beside have traced it. And a [`Force`] cuts pixels whatever their corners are, as Whitted does for objects smaller than a pixel.
+//! pixel on the edges of a quarter, as squares beside have traced it. And a [`Force`] cuts pixels whatever their corners are, as Whitted
+//! does for objects smaller than a pixel.
 
 mod cells;
 mod cutting;

@@ -222,9 +222,7 @@ impl<S: Scalar> Dice<S> for &Thrown<'_, S> {
     where
         Self: 'd,
     {
-        let slopes = self.spread.slopes.get(usize::from(material)).map_or(&[][..], |slopes| slopes);
-        let count = slopes.iter().take_while(|slope| slope.share > S::Unit::ZERO).count();
-        slopes.get(..count).unwrap_or_default()
+        self.spread.slopes.get(usize::from(material)).map_or(&[], |slopes| Roughness::used(slopes))
     }
 
     fn step(self, node: u32) -> Option<S::Unit> {

@@ -53,10 +53,9 @@ impl From<Ended> for BandsError {
 /// squared error, as scrambled samples have the right mean (A. Owen, "Randomly Permuted (t,m,s)-Nets", 1995). One pixel of each block of
 /// 4 x 4 is asked (more of a picture below 128 x 128), so that it costs 3/16 of the picture's rays.
 ///
-/// With a tolerance a pixel ends early: after 4, 8, 16 ... samples, or as few as the tolerance says, once its own samples and those of its eight neighbours agree within it
-/// ([`Agreement::is_within`](rta_packets::agreement::Agreement::is_within)). What a pixel's few samples have missed, an edge or a small
-/// thing, a neighbour has mostly met. Such a picture has no estimated error, and 60 bytes
-/// more a pixel.
+/// With a tolerance a pixel ends early: after its fewest samples, twice as many, and so on, once its own samples and those of its eight
+/// neighbours agree within it ([`Agreement::is_within`](rta_packets::agreement::Agreement::is_within)). What a pixel's few samples have
+/// missed, an edge or a small thing, a neighbour has mostly met. Such a picture has no estimated error, and 60 bytes more a pixel.
 pub struct Passes<'e> {
     sums: Box<dyn Sums + 'e>,
     samples: u32,

@@ -64,11 +64,11 @@ pub fn run(args: &BenchArgs) -> Result<(), StudyError> {
     if args.light {
         return light::run(args);
     }
-    if args.spread {
-        return spread::run(args);
-    }
     if args.peer == Some(args::Peer::Mitsuba) {
         return Err(StudyError::PathsAlone);
+    }
+    if args.spread {
+        return spread::run(args);
     }
     let stop = interrupt::watch();
     if let Some(file) = &args.record {

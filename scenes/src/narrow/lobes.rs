@@ -24,7 +24,8 @@ impl Options {
     /// Returns how rough a material is, 0 to 1, by the facets of a model with the option `lobes`; `None` without it, and for a material that
     /// reflects and transmits no rays. Facets are spread by Trowbridge and Reitz, which for theirs is exact: the roughness is c. A slope m of
     /// Beckmann's is the roughness m, as the two agree near the normal but for a factor of the tails, and of several slopes it is the root of the
-    /// mean square; by itself it counts only with `sancer`, as [grooves](Self::lobe_slopes) are spread by Beckmann's own. Other facets have as many at the same angle as half of those straight up ([`gloss`](crate::gloss)).
+    /// mean square; by itself it counts only with `sancer`, as [grooves](Self::lobe_slopes) are spread by Beckmann's own. Other facets have as
+    /// many at the same angle as half of those straight up ([`gloss`](crate::gloss)).
     pub(crate) fn lobe(&self, model: Model, material: &Material) -> Option<f64> {
         self.numbers(model, LOBES)?;
         let own = self.said(model, material);

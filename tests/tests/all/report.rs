@@ -7,7 +7,7 @@ use rta::engine::Cutoff;
 use rta::engine::Format;
 use rta::raster::Size;
 use rta::report::bench::{Lattice, bench};
-use rta::report::measure::{Difference, median, pareto_front};
+use rta::report::measure::{Difference, median, pareto_front, shown_error};
 use rta::report::setting::{CUTOFFS, LIMITS, Limit, samplings};
 use rta::report::study::{Setup, Study};
 use rta::report::{Source, diagram, page, studies, table};
@@ -51,6 +51,12 @@ fn differences_are_those_computed_by_hand() {
     let levels = [Rgb::new(7.0_f32 / 255.0, 0.0, 0.0)];
     let next = [Rgb::new(8.0_f32 / 255.0, 0.0, 0.0)];
     assert!(Difference::between(&levels, &next, 1.0 / 255.0).within == 1.0);
+    // What is brighter than white is shown as white.
+    let (bright, brighter) = (
+        [Rgb::new(0.5, 0.25, 3.0), Rgb::new(0.0, 0.0, 0.0)],
+        [Rgb::new(0.5, 0.75, 2.0), Rgb::new(0.0, 0.0, 0.5)],
+    );
+    assert!((shown_error(&bright, &brighter) - f64::sqrt(0.5 / 6.0)).abs() < 1e-12);
 }
 
 #[test]

@@ -158,7 +158,7 @@ impl Dice4 for Thrown4<'_> {
 
 /// Places on a lamp for four points: four times [`LampPlaces`].
 pub(crate) enum Places4 {
-    /// The same for all.
+    /// A grid, whose places all points share.
     Grid(LampPlaces),
     /// Of sequences, from these pairs on.
     Sequence { pairs: Pairs4, first: Words, count: u32 },

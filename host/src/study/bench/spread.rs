@@ -16,6 +16,7 @@ use crate::picture::raster::Size;
 use crate::study::error::StudyError;
 use crate::study::report::Source;
 use crate::study::report::light::raster;
+use crate::study::report::measure::shown_error;
 
 /// A setting of rta's: the most samples of a pixel, the tolerance within which it ends early, if it does, and places on a lamp for each
 /// point that the eye sees.
@@ -88,7 +89,8 @@ const CONVERGED_LENS: Spread = spread((4, None), (1024, 0.999_999, 0.0), None);
 /// Runs `rta bench --spread --peer povray`.
 ///
 /// # Errors
-/// Those of reading a scene, [`StudyError::Still`] of one in which neither lamps nor a lens spread rays, and [`StudyError::Bench`] where a program fails.
+/// Those of reading a scene, [`StudyError::Still`] of one in which neither lamps nor a lens spread rays, and [`StudyError::Bench`] where a
+/// program fails.
 pub fn run(args: &BenchArgs) -> Result<(), StudyError> {
     let sources =
         if args.scenes.is_empty() { Source::soft()? } else { crate::study::report::sources(&args.scenes)? };
@@ -170,38 +172,13 @@ fn compared(source: &Source, args: &BenchArgs) -> Result<String, StudyError> {
     }
     let compare = |work: &Work, light: &[Rgb<f32>]| {
         let [own, other] = &references;
-        (None, rms(light, if work.program == Program::Rta { own } else { other }))
+        (None, shown_error(light, if work.program == Program::Rta { own } else { other }))
     };
     let rows = Rows::new(&works, args, (place.path(), size.pixels()), &compare)?;
     let [own, other] = &references;
-    let apart = rms(own, other);
+    let apart = shown_error(own, other);
     Ok(format!(
         "{}\nThe converged pictures of both are {apart:.4} apart.\n",
         rows.table(&source.title, &size.to_string())
     ))
-}
-
-/// Returns the root of the mean square of what two pictures differ by, over all registers, cut to white.
-fn rms(some: &[Rgb<f32>], others: &[Rgb<f32>]) -> f64 {
-    let registers =
-        |light: &Rgb<f32>| [light.r, light.g, light.b].map(|register| f64::from(register.min(1.0)));
-    let pairs = some.iter().flat_map(registers).zip(others.iter().flat_map(registers));
-    let (sum, count) =
-        pairs.fold((0.0, 0.0), |(sum, count), (own, other)| (sum + (own - other).powi(2), count + 1.0));
-    if count > 0.0 { f64::sqrt(sum / count) } else { 0.0 }
-}
-
-#[cfg(test)]
-mod tests {
-    use rta_core::color::Rgb;
-
-    use super::rms;
-
-    #[test]
-    fn the_error_is_that_of_all_registers_as_they_are_shown() {
-        let some = [Rgb::new(0.5, 0.25, 3.0), Rgb::new(0.0, 0.0, 0.0)];
-        let others = [Rgb::new(0.5, 0.75, 2.0), Rgb::new(0.0, 0.0, 0.5)];
-        assert!((rms(&some, &others) - f64::sqrt(0.5 / 6.0)).abs() < 1e-12);
-        assert!(rms(&some, &some).abs() < 1e-12 && rms(&[], &[]).abs() < 1e-12);
-    }
 }

@@ -42,6 +42,15 @@ impl Difference {
     }
 }
 
+/// Returns the root of the mean square of the differences of two pictures as a display shows them, cut to 0 to 1.
+#[must_use]
+pub fn shown_error(a: &[Rgb<f32>], b: &[Rgb<f32>]) -> f64 {
+    let [a, b] = [a, b].map(|light| -> Vec<_> {
+        light.iter().map(|light| light.map(|register| register.clamp(0.0, 1.0))).collect()
+    });
+    Difference::between(&a, &b, 0.0).rmse
+}
+
 /// Returns the median: of an even number of values the lower of the two in the middle, of no values 0.
 #[must_use]
 pub fn median(mut values: Vec<f64>) -> f64 {

@@ -4,8 +4,8 @@ use rta_core::color::Rgb;
 
 use crate::args::BenchArgs;
 use crate::engine::{bands, interrupt};
-use crate::study::bench::beside::pictures;
 use crate::study::bench::beside::process::{Process, ProcessError};
+use crate::study::bench::beside::{Place, pictures};
 use crate::study::bench::mitsuba::script;
 use crate::study::error::StudyError;
 use crate::study::markdown;
@@ -36,10 +36,8 @@ pub(super) fn compared(source: &Source, args: &BenchArgs) -> Result<String, Stud
     let told = script(&source.scene.description, &source.title, (size, aspect), &SAMPLES);
     let told = told.map_err(StudyError::bench)?;
     let room = Room::new(source, (size, aspect))?;
-    let folder = tempfile::tempdir().map_err(ProcessError::Folder).map_err(StudyError::bench)?;
-    std::fs::write(folder.path().join("draw.py"), told)
-        .map_err(ProcessError::Folder)
-        .map_err(StudyError::bench)?;
+    let place = Place::new()?;
+    place.write("draw.py", told.as_bytes())?;
     let engines = SAMPLES.iter().map(|&samples| room.engine((Method::Paths, samples), None));
     let engines: Vec<_> = engines.collect::<Result<_, _>>()?;
     let mut both = SAMPLES.map(|_| Both::default());
@@ -47,11 +45,11 @@ pub(super) fn compared(source: &Source, args: &BenchArgs) -> Result<String, Stud
     // In turn, so that whatever else the machine does meets both.
     for run in 0..args.runs {
         let process = Process::new("python3", &["draw.py", &run.to_string()]);
-        let said = process.say(folder.path()).map_err(StudyError::bench)?;
+        let said = process.say(place.path()).map_err(StudyError::bench)?;
         let seconds = seconds(&said).ok_or_else(|| untold(&said)).map_err(StudyError::bench)?;
         for (((samples, engine), both), theirs) in SAMPLES.iter().zip(&engines).zip(&mut both).zip(seconds) {
             let (light, ours) = room.drawn(engine);
-            let path = folder.path().join(format!("theirs-{samples}.pfm"));
+            let path = place.path().join(format!("theirs-{samples}.pfm"));
             let read = pictures::read(&path, size.pixels()).map_err(ProcessError::Folder);
             both.light = [light, read.map_err(StudyError::bench)?];
             both.seconds = [both.seconds[0] + ours, both.seconds[1] + theirs];

@@ -19,7 +19,7 @@ use crate::picture::raster::Size;
 use crate::request::{Request, solution};
 use crate::study::error::StudyError;
 use crate::study::palette::traced;
-use crate::study::report::measure::Difference;
+use crate::study::report::measure::shown_error;
 
 mod visible;
 
@@ -104,16 +104,6 @@ const fn separator(words: &str) -> &str {
     if words.is_empty() { "" } else { " " }
 }
 
-/// Returns light cut to what a display can show.
-fn cut(light: &[Rgb<f32>]) -> Vec<Rgb<f32>> {
-    light.iter().map(|light| light.map(|register| register.clamp(0.0, 1.0))).collect()
-}
-
-/// Returns the root of the mean square of the differences of two pictures, cut to 0 to 1.
-fn rms(a: &[Rgb<f32>], b: &[Rgb<f32>]) -> f64 {
-    Difference::between(&cut(a), &cut(b), 0.0).rmse
-}
-
 /// Returns the mean of two pictures of paths.
 fn paths(
     scene: Variant,
@@ -135,7 +125,7 @@ fn paths(
     let ((a, (size, aspect), command), (b, _, other)) = (one(first)?, one(second)?);
     let light = a.iter().zip(&b).map(|(a, b)| a.zip(*b, |a, b| (a + b) / 2.0)).collect();
     // Two independent pictures of equal noise: their mean has half of the difference between them.
-    let error = Some(rms(&a, &b) / 2.0);
+    let error = Some(shown_error(&a, &b) / 2.0);
     Ok(Drawn { size, aspect, light, error, cost: Cost::default(), commands: vec![command, other] })
 }
 
@@ -229,7 +219,7 @@ pub(super) fn drawn(
             cost.seconds += seconds;
             cost.rays = engine.rays().iter().sum();
             cost.solving += engine.rays_before();
-            let error = references.of(against).map(|reference| rms(&light, &reference.light));
+            let error = references.of(against).map(|reference| shown_error(&light, &reference.light));
             Ok(Some(Drawn { size, aspect, light, error, cost, commands }))
         }
     }

@@ -16,7 +16,7 @@ pub enum Method {
     Radiosity,
     /// Lamps by rays, the rest by radiosity.
     TwoPasses,
-    /// The same two passes, but between patches and picture light is gathered at places that the eye sees.
+    /// Two passes, between which indirect light is gathered at some of the places that the eye sees.
     Cache,
     /// Paths of light.
     Paths,

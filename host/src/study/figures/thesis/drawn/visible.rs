@@ -6,7 +6,7 @@ use rta_core::color::Rgb;
 use super::super::Fineness;
 use super::super::room::PLAIN;
 use super::super::technique::Shade;
-use super::{Cost, Drawn, References, coarser, render, rms};
+use super::{Cost, Drawn, References, coarser, render, shown_error};
 use crate::picture::device::Target;
 use crate::request::Request;
 use crate::study::error::StudyError;
@@ -38,7 +38,7 @@ pub(super) fn visible(
     let outcome = (algorithm.draw)(&seen.view).map_err(|source| StudyError::Visibility(source.into()))?;
     let light = shaded(&seen.view, &outcome.ids, shade);
     let seconds = start.elapsed().as_secs_f64();
-    let error = Some(rms(&light, &references.whole().light));
+    let error = Some(shown_error(&light, &references.whole().light));
     let cost = Cost { rays: outcome.counts.steps(), is_steps: true, solving: 0, seconds };
     let commands = vec![format!("rta visibility {}.rta --tessellate {BANDS}", PLAIN.name)];
     Ok(Drawn { size, aspect, light, error, cost, commands })
