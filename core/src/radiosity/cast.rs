@@ -43,7 +43,10 @@ impl<S: Scalar> Casts<S> for Rays {
     }
 
     fn cast(&self, patch: u32, quad: u32, k: u32) -> Cast<S> {
-        let pair = |purpose: Purpose| pair(patch, quad, purpose.tag(0), self.seed, k).map(S::Unit::of_word);
+        let pair = |purpose: Purpose| {
+            let [u, v] = pair(patch, quad, purpose.tag(0), self.seed, k);
+            [S::Unit::of_word(u), S::Unit::of_word(v)]
+        };
         let [x, y] = disc(pair(Purpose::Gather));
         Cast {
             place: pair(Purpose::Patch),

@@ -118,12 +118,14 @@ impl<S: Scalar, N: Needs, C: Casts<S>, A: Accelerator<S>> Solver<'_, S, N, C, A>
         branch::<S, _, N>(weights, &surface, (place, S::Unit::ROUNDING), reflected, refracted, straight)
     }
 
+    #[inline]
     fn hit(&self, Start { origin, direction }: Start<S>, memory: &mut A::Memory) -> Option<Hit<S>> {
         let ray = self.scene().ray::<N>(origin, direction);
         self.scene().accelerator().closest::<N>(self.scene(), &ray, memory)
     }
 
     /// Returns the patch that a ray meets, `Some(None)` for one that is met from behind, and `None` for what is none.
+    #[inline]
     fn patch_of(&self, Start { origin, direction }: Start<S>, hit: Hit<S>) -> Option<Option<Met>> {
         let mesh = self.mesh();
         let place = origin.along(direction, hit.distance);
@@ -150,6 +152,7 @@ impl<S: Scalar, N: Needs, C: Casts<S>, A: Accelerator<S>> Solver<'_, S, N, C, A>
 }
 
 /// Returns the start of a ray that leaves a place of a patch.
+#[inline]
 pub(super) fn left<S: Scalar>(site: &Site<S>, place: Vec3<S>, direction: UnitVec3<S>) -> Start<S> {
     let (origin, _) = place.leave(site.normal, direction, site.extent);
     Start { origin, direction }

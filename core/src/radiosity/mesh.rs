@@ -58,6 +58,7 @@ pub struct Site<'a, S: Scalar> {
 
 impl<S: Scalar> Site<'_, S> {
     /// Returns the part of the largest `|P_u x P_v|` that is had at (u, v): the weight of a place that is spread evenly in (u, v).
+    #[inline]
     pub fn weight(&self, [u, v]: [S::Unit; 2]) -> S::Unit {
         let mix = |a: S::Unit, b: S::Unit, part: S::Unit| a + (b - a).times(part);
         let [a, b, c, d] = self.spread;
@@ -134,6 +135,7 @@ impl<'a, S: Scalar> Mesh<'a, S> {
     }
 
     /// Returns the number of a patch among all, as light is kept in a slice.
+    #[inline]
     pub fn number(&self, patch: Patch) -> Option<usize> {
         let quad = self.quads.get(patch.quad)?;
         let ([i, j], [nu, nv]) = (patch.cell, quad.patches);
@@ -182,6 +184,7 @@ impl<'a, S: Scalar> Mesh<'a, S> {
     }
 
     /// Returns the unit normal of a quadrilateral on the side that reflects.
+    #[inline]
     pub fn normal(&self, quad: usize) -> Option<UnitVec3<S>> {
         let quad = self.quads.get(quad)?;
         self.triangles.get(index(quad.triangle)).map(|triangle| triangle.normal)
@@ -290,6 +293,7 @@ impl<'a, S: Scalar> Mesh<'a, S> {
     }
 
     /// Returns the patch at (u, v) of a quadrilateral.
+    #[inline]
     pub fn at(&self, quad: usize, [u, v]: [S::Unit; 2]) -> Option<Patch> {
         let [nu, nv] = self.quads.get(quad)?.patches;
         Some(Patch { quad, cell: [cell(u, nu), cell(v, nv)] })

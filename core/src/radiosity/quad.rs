@@ -33,6 +33,7 @@ pub fn greatest_reflectance<U: Unit>() -> U {
 }
 
 /// Returns the place `part` (0 to 1) of the way from `a` to `b`.
+#[inline]
 fn between<S: Scalar>(a: Vec3<S>, b: Vec3<S>, part: S::Unit) -> Vec3<S> {
     let way = b - a;
     a + Vec3::<S>::new(way.x().scale(part), way.y().scale(part), way.z().scale(part))
@@ -40,12 +41,14 @@ fn between<S: Scalar>(a: Vec3<S>, b: Vec3<S>, part: S::Unit) -> Vec3<S> {
 
 impl<S: Scalar> Quad<S> {
     /// Returns the place at (u, v), 0 to 1 each.
+    #[inline]
     pub fn place(&self, [u, v]: [S::Unit; 2]) -> Vec3<S> {
         let [a, b, c, d] = self.corners;
         between::<S>(between::<S>(a, b, u), between::<S>(d, c, u), v)
     }
 
     /// Returns (u, v) of a place of a patch that is given by the parts of the patch along u and v, 0 to 1 each.
+    #[inline]
     pub fn within(&self, cell: [u16; 2], part: [S::Unit; 2]) -> [S::Unit; 2] {
         let along = |cell: u16, part: S::Unit, count: u16| {
             let share = |cells: u16| S::Unit::fraction(cells.into(), count.into());
@@ -93,7 +96,7 @@ impl<S: Scalar> Quad<S> {
         let zero = S::ZERO.square();
         let [a, b, c, d] = self.corners;
         let (ab, bc, dc, ad) = (b - a, c - b, c - d, d - a);
-        let areas = [(ab, ad), (ab, bc), (dc, bc), (dc, ad)].map(|(u, v)| flat.area(u, v));
+        let areas = [(ab, ad), (ab, bc), (dc, bc), (dc, ad)].map(|(u, v)| area(flat.plan(u), flat.plan(v)));
         let is_negative = areas.first().is_some_and(|&area| area < zero);
         let areas = areas.map(|area| if is_negative { zero - area } else { area });
         let mut most = (0, zero);
@@ -106,28 +109,33 @@ impl<S: Scalar> Quad<S> {
         is_convex.then(|| (most.0, areas.map(|area| S::part(area, most.1))))
     }
 
-    /// Returns (u, v) of a place of the quadrilateral, by Newton's iteration from the middle.
+    /// Returns (u, v) of a place of the quadrilateral, by Newton's iteration from the middle, in its ground plan.
     pub(super) fn solved(&self, normal: UnitVec3<S>, place: Vec3<S>) -> [S::Unit; 2] {
+        let flat = Flat::<S>::along(normal);
         let [a, b, c, d] = self.corners;
-        let mut at = [S::Unit::ratio(1, 2); 2];
-        let (flat, zero) = (Flat::<S>::along(normal), S::ZERO.square());
         // One step is exact in a parallelogram; elsewhere each doubles the digits.
         let steps = if b - a == c - d { 1 } else { 6 };
+        let (a, b, c, d, place) = (flat.plan(a), flat.plan(b), flat.plan(c), flat.plan(d), flat.plan(place));
+        let zero = S::ZERO.square();
+        let mut at = [S::Unit::ratio(1, 2); 2];
         for _ in 0..steps {
-            let [along, across] = self.slopes(at);
-            let rest = place - self.place(at);
-            let whole = flat.area(along, across);
+            let [u, v] = at;
+            let along = flat_between(minus(b, a), minus(c, d), v);
+            let across = flat_between(minus(d, a), minus(c, b), u);
+            let rest = minus(place, flat_between(flat_between(a, b, u), flat_between(d, c, u), v));
+            let whole = area(along, across);
             let part = |part: S::Wide| {
                 let is_forwards = (part > zero) == (whole > zero);
                 if is_forwards { S::part(part, whole) } else { -S::part(zero - part, whole) }
             };
-            let step = [part(flat.area(rest, across)), part(flat.area(along, rest))];
-            let before = at;
+            let step = [part(area(rest, across)), part(area(along, rest))];
+            let mut is_found = true;
             for (at, step) in at.iter_mut().zip(step) {
                 *at = clamped(*at + step);
+                // The next step is about the square of this one.
+                is_found &= *at + step.times(step) == *at;
             }
-            // All further steps are this one again.
-            if at == before {
+            if is_found {
                 break;
             }
         }
@@ -136,6 +144,7 @@ impl<S: Scalar> Quad<S> {
 }
 
 /// Returns the number, or 0 or 1 where it is beyond.
+#[inline]
 pub(super) fn clamped<U: Unit>(number: U) -> U {
     if number < U::ZERO {
         U::ZERO
@@ -146,6 +155,21 @@ pub(super) fn clamped<U: Unit>(number: U) -> U {
     }
 }
 
+/// A place or a way in a ground plan.
+type Plan<S> = [S; 2];
+
+/// Returns the way from `b` to `a`.
+#[inline]
+fn minus<S: Scalar>([ax, ay]: Plan<S>, [bx, by]: Plan<S>) -> Plan<S> {
+    [ax - bx, ay - by]
+}
+
+/// Returns the place `part` (0 to 1) of the way from `a` to `b`.
+#[inline]
+fn flat_between<S: Scalar>([ax, ay]: Plan<S>, [bx, by]: Plan<S>, part: S::Unit) -> Plan<S> {
+    [ax + (bx - ax).scale(part), ay + (by - ay).scale(part)]
+}
+
 /// The ground plan along the axis that is nearest to a normal.
 struct Flat<S: Scalar> {
     is_x: bool,
@@ -154,6 +178,7 @@ struct Flat<S: Scalar> {
 }
 
 impl<S: Scalar> Flat<S> {
+    #[inline]
     fn along(normal: UnitVec3<S>) -> Self {
         let size = |c: S::Unit| if c < S::Unit::ZERO { -c } else { c };
         let (x, y, z) = (size(normal.x()), size(normal.y()), size(normal.z()));
@@ -161,16 +186,20 @@ impl<S: Scalar> Flat<S> {
         Self { is_x, is_z: !is_x && z >= y, scalar: PhantomData }
     }
 
-    /// Returns the signed area of the parallelogram of two vectors in the plan.
-    fn area(&self, a: Vec3<S>, b: Vec3<S>) -> S::Wide {
-        let plan =
-            |v: Vec3<S>| (if self.is_x { v.y() } else { v.x() }, if self.is_z { v.y() } else { v.z() });
-        let ((ax, ay), (bx, by)) = (plan(a), plan(b));
-        ax.product(by) - ay.product(bx)
+    #[inline]
+    fn plan(&self, v: Vec3<S>) -> Plan<S> {
+        [if self.is_x { v.y() } else { v.x() }, if self.is_z { v.y() } else { v.z() }]
     }
 }
 
+/// Returns the signed area of the parallelogram of two vectors.
+#[inline]
+fn area<S: Scalar>([ax, ay]: Plan<S>, [bx, by]: Plan<S>) -> S::Wide {
+    ax.product(by) - ay.product(bx)
+}
+
 /// Returns in which of `count` equal parts of the range from 0 to 1 a number lies. What is on the border belongs to the higher part.
+#[inline]
 #[allow(clippy::cast_possible_truncation, reason = "below the count")]
 pub(super) fn cell<U: Unit>(number: U, count: u16) -> u16 {
     let (mantissa, exponent) = clamped(number).size().parts();

@@ -80,8 +80,8 @@ pub struct RenderArgs {
     ///
     /// Pixels take 4, 8, 16 ... samples of --sampler sobol, --samples at most (64 if nothing is said). M. Lee, R. Redner and S. Uselton,
     /// "Statistically Optimized Sampling for Distributed Ray Tracing", 1985. The last line tells how many a pixel has in the mean. .02 is
-    /// hardly seen; what no sample of a pixel and of its neighbours meets is missed. .02:2 ends pixels after 2, 4, 8 ...: smooth pictures take
-    /// fewer samples, and more is missed.
+    /// hardly seen; what no sample of a pixel and of its neighbours meets is missed. .02:1 ends pixels after 1, 4, 8 ..., the first of them where
+    /// neighbours have nearly the same light: smooth pictures take fewer samples, and more is missed.
     #[arg(long, value_name = "PART[:FEWEST]", conflicts_with_all = ["rows", "only", "frames", "until", "jitter", "aa"])]
     pub tolerance: Option<ToleranceValue>,
     /// What is drawn of it, and into which file.

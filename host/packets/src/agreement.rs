@@ -57,6 +57,21 @@ impl Agreement {
                 spread * (parts * parts) <= allowed
             })
     }
+
+    /// Returns whether the difference of the means of two pixels with as many samples, over the root of 2, is within `tolerance`, in
+    /// [`Agreement::PARTS`] of a level, in each register.
+    ///
+    /// If both are means of the same light with one error, that is the error by this one difference.
+    #[must_use]
+    pub fn is_near(&self, other: &Self, tolerance: u16) -> bool {
+        let [samples, tolerance] = [self.samples, u32::from(tolerance)].map(u64::from);
+        let parts = u64::from(Self::PARTS);
+        self.sums.iter().zip(other.sums).all(|(&own, other)| {
+            // Below 2^44.
+            let apart = u64::from(own.abs_diff(other)) * parts;
+            apart * apart <= 2 * (tolerance * samples).pow(2)
+        })
+    }
 }
 
 #[cfg(test)]
@@ -89,5 +104,18 @@ mod tests {
         assert!(of(&[9.0, 1.0, 20.0, 4.0]).is_within(0), "white is white");
         assert!(!of(&[0.0, 0.0, 0.0, 1.0]).is_within(16));
         assert_eq!(of(&[0.1; 7]).samples(), 7);
+    }
+
+    #[test]
+    fn pixels_are_near_whose_means_are() {
+        // 20 levels apart, over the root of 2: 14.1 levels.
+        for (one, other) in
+            [(&[0.4][..], &[0.4 + 20.0 / 255.0][..]), (&[0.2, 0.6], &[0.4, 0.4 + 40.0 / 255.0])]
+        {
+            let (one, other) = (of(one), of(other));
+            assert!(!one.is_near(&other, 14 * 16) && one.is_near(&other, 15 * 16));
+            assert!(!other.is_near(&one, 14 * 16) && other.is_near(&one, 15 * 16));
+        }
+        assert!(of(&[0.7]).is_near(&of(&[0.7]), 0));
     }
 }

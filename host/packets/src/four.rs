@@ -18,3 +18,4 @@ pub(crate) mod trace;
 pub(crate) mod transmittance;
 pub(crate) mod triangle;
 pub(crate) mod vector;
+mod walk;

@@ -19,12 +19,15 @@ mod accumulated;
 /// Scrambles of the samples whose spread is the error, that of the picture among them.
 const SCRAMBLES: usize = 4;
 
+/// What a pixel whose one sample does not agree with its neighbours has at least: two that are alike by chance would say that it does.
+const ENOUGH: u32 = 4;
+
 /// Where pixels end early.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Tolerance {
     /// How far their samples may be from agreeing, in [`Agreement::PARTS`](rta_packets::agreement::Agreement::PARTS) of a level.
     pub parts: u16,
-    /// The fewest samples of a pixel, 2 or more.
+    /// The fewest samples of a pixel, 1 or more.
     pub fewest: u32,
 }
 
@@ -55,12 +58,14 @@ impl From<Ended> for BandsError {
 ///
 /// With a tolerance a pixel ends early: after its fewest samples, twice as many, and so on, once its own samples and those of its eight
 /// neighbours agree within it ([`Agreement::is_within`](rta_packets::agreement::Agreement::is_within)). What a pixel's few samples have
-/// missed, an edge or a small thing, a neighbour has mostly met. Such a picture has no estimated error, and 60 bytes more a pixel.
+/// missed, an edge or a small thing, a neighbour has mostly met. A single sample says nothing of its own error: such a pixel ends where its
+/// light and that of each neighbour differ by no more than chance would with an error of the tolerance
+/// ([`Agreement::is_near`](rta_packets::agreement::Agreement::is_near)). Such a picture has no estimated error, and 60 bytes more a pixel.
 pub struct Passes<'e> {
     sums: Box<dyn Sums + 'e>,
     samples: u32,
-    /// Samples of the first pass.
-    fewest: u32,
+    /// The fewest samples after the first pass, and after any other.
+    fewest: [u32; 2],
     error: f64,
     seed: u32,
 }
@@ -106,7 +111,7 @@ impl Engine {
         let seed = self.settings.sampling.spreading().map_or(0, |spreading| spreading.samples.seed());
         let sums = self.rows.sums(seed, tolerance)?;
         // No pixel ends sooner, and samples of one pixel are traced side by side.
-        let fewest = tolerance.map_or(1, |tolerance| tolerance.fewest);
+        let fewest = tolerance.map_or([1, 2], |tolerance| [tolerance.fewest, ENOUGH]);
         Some(Passes { sums, samples: 0, fewest, error: f64::INFINITY, seed })
     }
 }
@@ -143,10 +148,13 @@ impl Passes<'_> {
         self.error
     }
 
-    /// Returns the samples that each pixel will have after the next pass, at most `most`: 1, 2, 4, 8 and so on, with a tolerance from its fewest on.
+    /// Returns the samples that each pixel will have after the next pass, at most `most`: 1, 2, 4, 8 and so on, with a tolerance from its fewest on,
+    /// and 4 after 1.
     #[must_use]
     pub fn next(&self, most: u32) -> u32 {
-        self.samples.saturating_mul(2).max(self.fewest).min(most.clamp(1, Sobol::MAX_SAMPLES))
+        let [first, later] = self.fewest;
+        let fewest = if self.samples == 0 { first } else { later };
+        self.samples.saturating_mul(2).max(fewest).min(most.clamp(1, Sobol::MAX_SAMPLES))
     }
 
     /// Adds the pass after which each pixel has [`Passes::next`] samples. `done` is told of pixels that are traced, by any thread.

@@ -75,7 +75,7 @@ pub struct ToleranceValue {
 /// It is no tolerance.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[error(
-    "expected a part of white from {} to 1, or with the fewest samples of a pixel, 2 or more, as .02:2",
+    "expected a part of white from {} to 1, or with the fewest samples of a pixel, as .02:1",
     ToleranceValue::LEAST
 )]
 pub struct NotTolerance;
@@ -93,7 +93,7 @@ impl ToleranceValue {
         self.part
     }
 
-    /// Returns the fewest samples of a pixel, 2 or more.
+    /// Returns the fewest samples of a pixel, 1 or more.
     #[must_use]
     pub const fn fewest(self) -> u32 {
         self.fewest
@@ -109,7 +109,7 @@ impl FromStr for ToleranceValue {
             None => (text, Self::FEWEST),
         };
         let part = part.parse().map_err(|_| NotTolerance)?;
-        if (Self::LEAST..=1.0).contains(&part) && fewest >= 2 {
+        if (Self::LEAST..=1.0).contains(&part) && fewest >= 1 {
             Ok(Self { part, fewest })
         } else {
             Err(NotTolerance)
@@ -244,12 +244,13 @@ mod tests {
             (".01", "0.01"),
             ("1e-3", "0.001"),
             ("0.00025", "0.00025"),
+            (".02:1", "0.02:1"),
             (".02:2", "0.02:2"),
             (".02:4", "0.02"),
         ] {
             assert_eq!(text.parse::<ToleranceValue>().expect(text).to_string(), told);
         }
-        for text in ["", "0", "-0.1", "1.01", "1e-5", "NaN", "inf", "a", ".02:1", ".02:", ":2", ".02:-4"] {
+        for text in ["", "0", "-0.1", "1.01", "1e-5", "NaN", "inf", "a", ".02:0", ".02:", ":2", ".02:-4"] {
             assert!(text.parse::<ToleranceValue>().is_err(), "{text}");
         }
     }

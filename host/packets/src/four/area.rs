@@ -7,7 +7,7 @@ use rta_core::scalar::Unit;
 
 use super::geometry::normalize;
 use super::mapping::{Frame4, disc, lifted};
-use super::vector::{Vec3x4, lane, set};
+use super::vector::{Vec3x4, lane, mask, set};
 use crate::leaf::Bits;
 
 /// A lamp as seen from four points: four times [`Incident`].
@@ -132,25 +132,34 @@ impl<'l> Large4<'l> {
         which
     }
 
-    /// Looks at places on a parallelogram, one after the other: four times [`Glimpse::of_square`].
+    /// Looks at places on a parallelogram: four times [`Glimpse::of_square`].
     #[inline(never)] // spheres do not pay for it
     fn look_at_square(
         &self,
         square: &Square<f32>,
         (points, normals): (Vec3x4, Vec3x4),
-        pair: [Vec4; 2],
+        [u, v]: [Vec4; 2],
         which: u32,
         seen: &mut Glimpses4,
     ) -> u32 {
-        let mut lit = 0;
-        for k in Bits(which) {
-            let from = (points.lane(k), normals.lane(k));
-            let pair = pair.map(|four| lane(&four, k));
-            if let Some(glimpse) = Glimpse::of_square(self.point, square, from, pair) {
-                seen.set(k, &glimpse);
-                lit |= 1 << k;
-            }
+        let corner = Vec3x4::splat(square.corner + (self.point.position - square.middle));
+        let [along, across] = square.edges.map(Vec3x4::splat);
+        let spot = corner.plus(along, u).plus(across, v);
+        let (direction, distance, inverse_distance, none) = normalize(spot - points);
+        let sent = -Vec3x4::splat(square.normal).dot(direction);
+        let lit = which & !none & sent.cmpgt(Vec4::ZERO).bitmask();
+        if lit == 0 {
+            return 0;
         }
+        let cosine = normals.dot(direction);
+        let (middle, .., none) = normalize(Vec3x4::splat(self.point.position) - points);
+        let middle = if none == 0 { middle } else { Vec3x4::select(mask(none), direction, middle) };
+        let (least, inverse_least) = square.least;
+        let is_near = distance.cmplt(Vec4::splat(least));
+        let reached = distance - Vec4::splat(least * <f32 as Unit>::ratio(1, 64));
+        seen.place = Incidents4 { direction, distance: reached, inverse_distance, cosine };
+        let inverse_distance = Vec4::select(is_near, Vec4::splat(inverse_least), inverse_distance);
+        seen.lamp = Incidents4 { direction: middle, distance, inverse_distance, cosine: cosine * sent };
         lit
     }
 }

@@ -212,7 +212,7 @@ impl Packets {
                 Object::Lamp(_) if N::VISIBLE_LAMPS => sphere(),
                 Object::Triangle(i) if N::TRIANGLES => {
                     let Some(triangle) = world.scene.triangles.get(index(i)) else { continue };
-                    rays.meet_triangle(triangle, closest.limit)
+                    rays.meet_triangle(triangle, closest.limit, four.height_margin())
                 }
                 _ => {
                     for r in Bits(four.meet(leaf, k) & group) {

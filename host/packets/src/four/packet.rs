@@ -82,6 +82,18 @@ impl<'a> RayPacket<'a> {
         Some(Frustum { origin, direction, thick })
     }
 
+    /// Returns where they start and where they lead, by x, y and z, and the largest of their margins.
+    #[inline(always)]
+    pub(crate) fn rays(&self) -> ([[Vec4; 3]; 2], f32) {
+        ([self.rays.origin, self.rays.direction], self.rays.margin)
+    }
+
+    /// Returns the margin for the heights of planes, see [`Ray4::meet_planes`].
+    #[inline(always)]
+    pub(crate) fn height_margin(&self) -> Vec4 {
+        Vec4::splat(4.0 * self.rays.margin)
+    }
+
     /// The end of the longest.
     #[inline(always)]
     pub(crate) fn longest(&self) -> f32 {

@@ -154,7 +154,7 @@ fn triangles() {
             Ray::new(origin, (to - origin).try_normalize().unwrap_or(Vec3::X))
         });
         let four = together(&rays);
-        let free = four.meet_triangle(&triangle, Vec4::splat(f32::FAR));
+        let free = four.meet_triangle(&triangle, Vec4::splat(f32::FAR), Vec4::INFINITY);
         let points = SurfacePoint4::on_triangles([&triangle; 4], &four);
         for (k, ray) in rays.iter().enumerate() {
             let right = triangle.intersect(ray, f32::FAR);
@@ -163,9 +163,12 @@ fn triangles() {
             hits += 1;
             // Its own distance is not before itself.
             let end = Vec4::splat(t);
-            assert_eq!(met(four.meet_triangle(&triangle, end), k), triangle.intersect(ray, t));
+            assert_eq!(
+                met(four.meet_triangle(&triangle, end, Vec4::INFINITY), k),
+                triangle.intersect(ray, t)
+            );
             let at = triangle.intersect(ray, t.next_up());
-            assert_eq!(met(four.meet_triangle(&triangle, Vec4::splat(t.next_up())), k), at);
+            assert_eq!(met(four.meet_triangle(&triangle, Vec4::splat(t.next_up()), Vec4::INFINITY), k), at);
             ends += u32::from(at.is_some());
             let point = triangle.point::<Everything>(ray, t);
             assert_eq!(lane(&points.distance, k), point.distance);

@@ -11,6 +11,7 @@ use super::closest::next_group;
 use super::geometry::{Ray4, to_floor};
 use super::packet::RayPacket;
 use super::vector::{Vec3x4, lane, mask, one, one_mut};
+use super::walk::Walk;
 use crate::cache::ShadowCache;
 use crate::leaf::{Bits, Sphere4, index};
 use crate::light_buffer::Candidate;
@@ -73,7 +74,7 @@ impl Packets {
         }
         let mut open = there;
         if let Some(occluder) = history.occluder {
-            open &= !hidden_by::<N>(world, occluder, rays, t_max, there);
+            open &= !hidden_by::<N>(world, occluder, (rays, t_max, Vec4::INFINITY), there);
             hide(there & !open, parts);
             if open == 0 {
                 return 0;
@@ -145,10 +146,21 @@ impl Packets {
             }
             return 0;
         }
-        let (Some((cells, far)), Some(frustum)) = (four.lamp_cells(lamp), four.frustum()) else {
-            return shadows.open;
-        };
+        let Some(frustum) = four.frustum() else { return shadows.open };
         let longest = four.longest();
+        let Some((cells, far)) = four.lamp_cells(lamp) else {
+            let mut walk = Walk::new(self, four);
+            while shadows.open != 0
+                && let Some(leaves) = walk.leaves(longest)
+            {
+                for leaf in leaves {
+                    self.pass_leaf::<N>(world, four, (leaf, frustum.touch(leaf, longest)), 15, shadows);
+                }
+            }
+            // One by one they would walk as far.
+            shadows.asked = 0;
+            return 0;
+        };
         let (mut waiting, mut left) = (shadows.open, 0);
         while let Some((cell, group)) = next_group(&cells, &mut waiting) {
             let cell = self.light_buffers.in_cell(lamp + 1, cell);
@@ -193,12 +205,14 @@ impl Packets {
                     let (is_met, distance) = shadows.rays.meet_sphere(center, radius);
                     among & (is_met & distance.cmplt(shadows.t_max)).bitmask()
                 }
-                Object::Triangle(_) => hidden_by::<N>(world, item, shadows.rays, shadows.t_max, among),
+                Object::Triangle(_) => {
+                    hidden_by::<N>(world, item, (shadows.rays, shadows.t_max, four.height_margin()), among)
+                }
                 // Each is asked by itself.
                 _ => {
                     let among = among & four.meet(leaf, slot);
                     shadows.asked += among.count_ones();
-                    hidden_by::<N>(world, item, shadows.rays, shadows.t_max, among)
+                    hidden_by::<N>(world, item, (shadows.rays, shadows.t_max, four.height_margin()), among)
                 }
             };
             if hit != 0
@@ -236,7 +250,12 @@ fn pass_planes<N: Needs>(world: &World<'_, f32>, shadows: &mut Shadows) {
 
 /// Returns which of some rays an object is in the way of.
 #[inline(always)]
-fn hidden_by<N: Needs>(world: &World<'_, f32>, item: Object, rays: &Ray4, t_max: Vec4, among: u32) -> u32 {
+fn hidden_by<N: Needs>(
+    world: &World<'_, f32>,
+    item: Object,
+    (rays, t_max, margin): (&Ray4, Vec4, Vec4),
+    among: u32,
+) -> u32 {
     let met = match item {
         Object::Sphere(i) if N::SPHERES => world.scene.spheres.get(index(i)).map(|sphere| {
             let (center, radius) = (Vec3x4::splat(sphere.center), Vec4::splat(sphere.radius));
@@ -245,7 +264,7 @@ fn hidden_by<N: Needs>(world: &World<'_, f32>, item: Object, rays: &Ray4, t_max:
         }),
         Object::Triangle(i) if N::TRIANGLES => {
             let triangle = world.scene.triangles.get(index(i));
-            triangle.map(|triangle| rays.meet_triangle(triangle, t_max).0)
+            triangle.map(|triangle| rays.meet_triangle(triangle, t_max, margin).0)
         }
         _ => {
             let is_met = |&k: &usize| distance::<_, N>(world, item, &rays.lane(k), lane(&t_max, k)).is_some();

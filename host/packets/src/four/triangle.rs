@@ -51,10 +51,21 @@ impl Feet {
 }
 
 impl Ray4 {
-    /// Which of them meet a triangle before `t_max`, and how far away: four times [`Triangle::intersect`].
+    /// Which of them meet a triangle before `t_max`, and how far away: four times [`Triangle::intersect`]. `margin` is that of
+    /// [`Ray4::meet_planes`].
     #[inline(always)]
-    pub(crate) fn meet_triangle(&self, triangle: &Triangle<f32>, t_max: Vec4) -> (BVec4A, Vec4) {
-        let Met4 { is_met, distance, .. } = self.meet_triangles(&Exact4::splat(triangle), t_max);
+    pub(crate) fn meet_triangle(
+        &self,
+        triangle: &Triangle<f32>,
+        t_max: Vec4,
+        margin: Vec4,
+    ) -> (BVec4A, Vec4) {
+        let triangle = Exact4::splat(triangle);
+        let is_near = self.meet_planes(&triangle, t_max, margin);
+        if !is_near.any() {
+            return (is_near, Vec4::ZERO);
+        }
+        let Met4 { is_met, distance, .. } = self.meet_triangles(&triangle, t_max);
         (is_met, distance)
     }
 

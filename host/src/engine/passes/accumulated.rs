@@ -22,8 +22,9 @@ const BLOCK: u32 = 4;
 /// A small picture has smaller blocks, so that there are about as many.
 const BLOCKS: u32 = 1024;
 
-/// Pixels that a thread adds to before it asks whether the work is to end.
-const CHUNK: usize = 32;
+/// Pixels that a thread adds to before it asks whether the work is to end. A tracer is made ready for each: 5 % of the instructions of a quick
+/// picture of a room with 32 of them.
+const CHUNK: usize = 128;
 
 /// What is kept of a pixel's samples beside their sum: nothing, or how far they differ.
 trait Kept: Copy + Default + Send + Sync + 'static {
@@ -32,6 +33,9 @@ trait Kept: Copy + Default + Send + Sync + 'static {
 
     /// Returns whether the samples agree within a tolerance.
     fn agrees(&self, tolerance: u16) -> bool;
+
+    /// Returns whether the samples of another pixel have nearly the same mean, see [`Agreement::is_near`].
+    fn is_near(&self, other: &Self, tolerance: u16) -> bool;
 }
 
 impl Kept for () {
@@ -40,6 +44,10 @@ impl Kept for () {
     }
 
     fn agrees(&self, _tolerance: u16) -> bool {
+        false
+    }
+
+    fn is_near(&self, _other: &Self, _tolerance: u16) -> bool {
         false
     }
 }
@@ -51,6 +59,10 @@ impl Kept for Agreement {
 
     fn agrees(&self, tolerance: u16) -> bool {
         self.is_within(tolerance)
+    }
+
+    fn is_near(&self, other: &Self, tolerance: u16) -> bool {
+        Self::is_near(self, other, tolerance)
     }
 }
 
@@ -146,13 +158,25 @@ impl<'e, S: Narrow, K: Kept> Accumulated<'e, S, K> {
         }))
     }
 
-    /// Ends the pixels that agree, and whose neighbours do, with the `samples` that all that went on have.
+    /// Ends the pixels that agree, and whose neighbours do, with the `samples` that all that went on have. One sample agrees with those of its
+    /// neighbours or not.
     fn settle(&mut self, samples: u32) {
         let Some(Tolerance { parts, fewest }) = self.tolerance else { return };
         if samples < fewest {
             return;
         }
         // Few pixels differ once there are many samples.
+        let goes_on = if samples == 1 { self.unlike(parts) } else { self.differing(parts) };
+        self.ended.resize(self.pixels.len(), 0);
+        for (ended, goes_on) in self.ended.iter_mut().zip(goes_on) {
+            if *ended == 0 && !goes_on {
+                *ended = samples;
+            }
+        }
+    }
+
+    /// Returns the pixels that go on and whose samples differ by more than a tolerance, and their neighbours.
+    fn differing(&self, parts: u16) -> Vec<bool> {
         let mut goes_on = vec![false; self.pixels.len()];
         for (index, pixel) in self.pixels.iter().enumerate() {
             if !takes_more(&self.ended, index) || pixel.kept.agrees(parts) {
@@ -167,12 +191,30 @@ impl<'e, S: Narrow, K: Kept> Accumulated<'e, S, K> {
                 }
             }
         }
-        self.ended.resize(self.pixels.len(), 0);
-        for (ended, goes_on) in self.ended.iter_mut().zip(goes_on) {
-            if *ended == 0 && !goes_on {
-                *ended = samples;
+        goes_on
+    }
+
+    /// Returns the pixels with a neighbour that differs by more than a tolerance. All have as many samples.
+    fn unlike(&self, parts: u16) -> Vec<bool> {
+        let mut unlike = vec![false; self.pixels.len()];
+        for (index, pixel) in self.pixels.iter().enumerate() {
+            let (is_first, is_last) = (index % self.width == 0, index % self.width + 1 == self.width);
+            // Right, and below. The others have asked this one.
+            let below = index + self.width;
+            let others = [(is_last, index + 1), (is_first, below - 1), (false, below), (is_last, below + 1)];
+            for (is_beside, other) in others {
+                if let Some(beside) = self.pixels.get(other).filter(|_| !is_beside)
+                    && !pixel.kept.is_near(&beside.kept, parts)
+                {
+                    for k in [index, other] {
+                        if let Some(unlike) = unlike.get_mut(k) {
+                            *unlike = true;
+                        }
+                    }
+                }
             }
         }
+        unlike
     }
 
     /// Hands each pixel from row `first` on over with its mean light.

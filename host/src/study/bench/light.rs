@@ -23,22 +23,24 @@ pub mod paths;
 /// Samples of the paths that both are compared with.
 const PATHS: u32 = 1024;
 
-/// Settings of rta's: patches along a side of a quad, or the scene's; what a patch sees; samples and split of the picture; how the light is
-/// shown.
-const OURS: [(Option<&str>, &str, &str, &str, &str); 13] = [
-    (None, "rays:16", "1", "4", "indirect"),
-    (Some("4"), "rays:16", "4", "1", "indirect"),
-    (None, "rays:16", "4", "1", "indirect"),
-    (None, "rays:64", "4", "1", "indirect"),
-    (None, "rays:64", "4", "4", "indirect"),
-    (None, "rays:64", "16", "1", "indirect"),
-    (None, "rays:256", "16", "1", "indirect"),
-    (None, "rays:64", "4", "2", "cache:64:.2"),
-    (None, "rays:64", "8", "1", "cache:128:.15"),
-    (None, "rays:64", "16", "1", "cache:64:.2"),
-    (None, "rays:256", "16", "1", "cache:256:.15"),
-    (None, "rays:16", "4", "1", "all"),
-    (None, "rays:64", "16", "1", "all"),
+/// A setting of rta's: what a patch sees; the most samples of a pixel, the tolerance within which it ends early, if it does, and places on a lamp
+/// for each point that the eye sees; how the light is shown.
+type Setting = (&'static str, (&'static str, Option<&'static str>, &'static str), &'static str);
+
+const OURS: [Setting; 13] = [
+    ("rays:16", ("4", Some(".03:1"), "2"), "indirect"),
+    ("rays:32", ("4", Some(".03:1"), "2"), "indirect"),
+    ("rays:64", ("4", Some(".02:1"), "2"), "indirect"),
+    ("rays:64", ("4", Some(".02:1"), "4"), "indirect"),
+    ("rays:64", ("8", Some(".015:1"), "4"), "indirect"),
+    ("rays:64", ("4", None, "1"), "indirect"),
+    ("rays:64", ("16", None, "4"), "indirect"),
+    ("rays:64", ("8", Some(".015:1"), "4"), "cache:64:.2"),
+    ("rays:64", ("8", Some(".01:1"), "4"), "cache:64:.2"),
+    ("rays:64", ("16", Some(".01:1"), "4"), "cache:64:.2"),
+    ("rays:256", ("16", Some(".01:1"), "4"), "cache:256:.15"),
+    ("rays:16", ("4", None, "1"), "all"),
+    ("rays:64", ("16", None, "1"), "all"),
 ];
 
 const fn radiosity(
@@ -86,28 +88,26 @@ pub fn run(args: &BenchArgs) -> Result<(), StudyError> {
 /// Returns rta's work in a number format, on `scene.rta`.
 fn ours((size, aspect): (&str, &str), program: &str, format: &str) -> Vec<Work> {
     let rta = |words: &[&str]| Process::new(program, words);
-    let work = |&(patches, factors, samples, split, shown): &(Option<&str>, &str, &str, &str, &str)| {
+    let work = |&(factors, (samples, tolerance, split), shown): &Setting| {
         let mut solve = vec!["radiosity", "scene.rta", "-o", "light.txt", "--format", format];
         solve.extend(["--factors", factors]);
-        solve.extend(patches.into_iter().flat_map(|patches| ["--patches", patches]));
         let mut draw =
             vec!["render", "scene.rta", "-o", "ours.pfm", "--quiet", "--device", "none", "--threads", "1"];
         draw.extend(["--format", format, "--aspect", aspect]);
         draw.extend(["--size", size, "--light", "light.txt", "--light-as", shown, "--samples", samples]);
         if shown != "all" {
             draw.extend(["--split", split]);
+            draw.extend(tolerance.into_iter().flat_map(|part| ["--tolerance", part]));
         }
         let way = match shown.strip_prefix("cache:") {
             Some(caching) => format!("irradiance cache {caching}"),
             None if shown == "all" => "radiosity alone".to_owned(),
             None => "two passes".to_owned(),
         };
+        let within = tolerance.map_or(String::new(), |part| format!(", tolerance {part}"));
         Work {
             program: Program::Rta,
-            settings: format!(
-                "{way}, patches {}, {factors}, {samples} samples, split {split}",
-                patches.unwrap_or("scene's")
-            ),
+            settings: format!("{way}, {factors}, {samples} samples{within}, split {split}"),
             processes: vec![rta(&solve), rta(&draw)],
             picture: "ours.pfm".to_owned(),
         }

@@ -12,6 +12,9 @@ const WIDTH: f64 = 2.5;
 /// The side of a patch, as a part of the least distance that a place on its quadrilateral speaks for.
 const SIDE: f64 = 1.5;
 
+/// What rounding may take a place off a row of vertices, as a part of how far it is mixed.
+const NEAR: f64 = 1e-6;
+
 /// The most patches along a side.
 const MOST: u16 = 256;
 
@@ -63,10 +66,18 @@ impl Mixed {
         let [nu, nv] = mixed.patches;
         let outline = corners.map(flat);
         let records: Vec<_> = records.iter().map(|record| (flat(record.place), record)).collect();
-        for (i, j) in (0..=nv).flat_map(|j| (0..=nu).map(move |i| (i, j))) {
-            let part = [f64::from(i) / f64::from(nu), f64::from(j) / f64::from(nv)];
-            let vertex = bilinear(outline, part);
-            mixed.sums.push(Sums::of(vertex, &records));
+        for j in 0..=nv {
+            let vertex =
+                |i: u16| bilinear(outline, [f64::from(i) / f64::from(nu), f64::from(j) / f64::from(nv)]);
+            let ([ax, ay], [bx, by]) = (vertex(0), vertex(nu));
+            let (wx, wy) = (bx - ax, by - ay);
+            let length = wx.hypot(wy);
+            // Those that lie near the line of the row, in their order.
+            let is_near = |([x, y], record): &&([f64; 2], &Record)| {
+                ((x - ax) * wy - (y - ay) * wx).abs() < length * WIDTH * record.reach * (1.0 + NEAR)
+            };
+            let beside: Vec<_> = records.iter().filter(is_near).copied().collect();
+            mixed.sums.extend((0..=nu).map(|i| Sums::of(vertex(i), &beside)));
         }
         mixed
     }
