@@ -8,7 +8,7 @@
 use super::{Incident, Lamp};
 use crate::sampling::mapping::{Frame, disc, hemisphere, lifted};
 use crate::scalar::vector::{LengthVector, UnitVec3, UnitVector, Vec3, Vector};
-use crate::scalar::{Scalar, Unit};
+use crate::scalar::{Scalar, Sight, Unit};
 
 /// A lamp that is a parallelogram, and shines to one side.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -61,22 +61,9 @@ impl<'l, S: Scalar> Glimpse<'l, S> {
             return Self::from_within(point, (radius, inverse_radius), way, normal, pair);
         };
         let sine = radius.fraction(inverse_distance);
-        let spot = disc(pair);
-        let [x, y] = spot.map(|c| c.times(sine));
-        let along = lifted::<S>([x, y]);
-        let direction = Frame::about(axis).vector([x, y, along]);
-        let cosine = normal.dot(direction);
-        // 2^-14.
-        let least = S::Unit::of_word(1 << 18);
-        let shown = Incident {
-            direction: axis,
-            distance,
-            inverse_distance,
-            cosine: cosine.quotient(if along < least { least } else { along }),
-            lamp: point,
-        };
-        // The near side of the sphere.
-        let reach = along - sine.times(lifted::<S>(spot));
+        let seen = S::sight((axis, normal), sine, pair).unwrap_or_else(|| sight((axis, normal), sine, pair));
+        let Sight { direction, cosine, slanted, reach } = seen;
+        let shown = Incident { direction: axis, distance, inverse_distance, cosine: slanted, lamp: point };
         let reached = distance.scale(reach);
         Self { place: Incident { direction, distance: reached, cosine, ..shown }, lamp: shown }
     }
@@ -127,6 +114,25 @@ impl<'l, S: Scalar> Glimpse<'l, S> {
         let lamp = Incident { direction: middle, inverse_distance, cosine: cosine.times(sent), ..shown };
         Some(Self { place, lamp })
     }
+}
+
+/// Returns what [`Scalar::sight`] does, with the arithmetic of any format.
+pub fn sight<S: Scalar>(
+    (axis, normal): (UnitVec3<S>, UnitVec3<S>),
+    sine: S::Unit,
+    pair: [S::Unit; 2],
+) -> Sight<S> {
+    let spot = disc(pair);
+    let [x, y] = spot.map(|c| c.times(sine));
+    let along = lifted::<S>([x, y]);
+    let direction = Frame::about(axis).vector([x, y, along]);
+    let cosine = normal.dot(direction);
+    // 2^-14.
+    let least = S::Unit::of_word(1 << 18);
+    let slanted = cosine.quotient(if along < least { least } else { along });
+    // The near side of the sphere.
+    let reach = along - sine.times(lifted::<S>(spot));
+    Sight { direction, cosine, slanted, reach }
 }
 
 #[cfg(test)]

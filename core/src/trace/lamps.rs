@@ -96,8 +96,8 @@ impl<S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Accelerator
         let own = (lamp.radius, lamp.inverse_radius);
         let from = (surface.point, surface.normal);
         let count = places.count();
-        // A division, which most have no need of.
-        let share = if count == 1 { S::Unit::ONE } else { S::Unit::fraction(1, count) };
+        // A division and a product, which most have no need of.
+        let share = (count > 1).then(|| S::Unit::fraction(1, count));
         let mut light = Rgb::BLACK;
         for k in 0..count {
             let pair = places.get(k);
@@ -109,7 +109,8 @@ impl<S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Accelerator
             let unhidden = glimpsed::<S, M, N>(&self.model, surface, &place, &lamp);
             let part = self.unshadowed(surface, &place, unhidden, number, memory, observer);
             observer.lamp(number, &lamp, unhidden, part);
-            light = light.plus(unhidden.map(|light| light.times(part.times(share))));
+            let part = share.map_or(part, |share| part.times(share));
+            light = light.plus(unhidden.map(|light| light.times(part)));
         }
         light
     }
