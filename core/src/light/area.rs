@@ -91,6 +91,22 @@ impl<'l, S: Scalar> Glimpse<'l, S> {
         point: &'l Lamp<S>,
         square: &Square<S>,
         (place, normal): (Vec3<S>, UnitVec3<S>),
+        pair: [S::Unit; 2],
+    ) -> Option<Self> {
+        let mut glimpse = Self::on_square(point, square, (place, normal), pair)?;
+        if let Some((direction, ..)) = (point.position - place).normalize() {
+            glimpse.lamp.direction = direction;
+        }
+        Some(glimpse)
+    }
+
+    /// Returns what [`Glimpse::of_square`] does, but for the direction of [`Glimpse::lamp`], which is that of the place: a root less, where no
+    /// model asks for highlights.
+    #[cfg_attr(not(target_os = "none"), inline)]
+    pub fn on_square(
+        point: &'l Lamp<S>,
+        square: &Square<S>,
+        (place, normal): (Vec3<S>, UnitVec3<S>),
         [u, v]: [S::Unit; 2],
     ) -> Option<Self> {
         let part = |edge: Vec3<S>, part: S::Unit| {
@@ -106,12 +122,11 @@ impl<'l, S: Scalar> Glimpse<'l, S> {
         }
         let cosine = normal.dot(direction);
         let shown = Incident { direction, distance, inverse_distance, cosine, lamp: point };
-        let middle = (point.position - place).normalize().map_or(direction, |(direction, ..)| direction);
         let (least, inverse_least) = square.least;
         // A shadow ray ends before it, so that the surface that a lamp is part of does not hide it.
         let place = Incident { distance: distance - least.scale(S::Unit::ratio(1, 64)), ..shown };
         let inverse_distance = if distance < least { inverse_least } else { inverse_distance };
-        let lamp = Incident { direction: middle, inverse_distance, cosine: cosine.times(sent), ..shown };
+        let lamp = Incident { inverse_distance, cosine: cosine.times(sent), ..shown };
         Some(Self { place, lamp })
     }
 }

@@ -68,7 +68,7 @@ impl<S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Accelerator
             let pair = places.get(k);
             let (glimpse, sent) = match dice.square(number) {
                 Some(square) if N::SQUARE_LAMPS => {
-                    let Some(glimpse) = Glimpse::of_square(&point, square, from, pair) else { continue };
+                    let Some(glimpse) = Glimpse::on_square(&point, square, from, pair) else { continue };
                     let sent = -square.normal.dot(glimpse.place.direction);
                     (glimpse, sent)
                 }
@@ -102,7 +102,8 @@ impl<S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Accelerator
         for k in 0..count {
             let pair = places.get(k);
             let glimpse = match dice.square(number) {
-                Some(square) if N::SQUARE_LAMPS => Glimpse::of_square(&point, square, from, pair),
+                Some(square) if N::SQUARE_LAMPS && N::GLINT => Glimpse::of_square(&point, square, from, pair),
+                Some(square) if N::SQUARE_LAMPS => Glimpse::on_square(&point, square, from, pair),
                 _ => Some(Glimpse::of_sphere(&point, own, from, pair)),
             };
             let Some(Glimpse { place, lamp }) = glimpse else { continue };
@@ -110,7 +111,12 @@ impl<S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Accelerator
             let part = self.unshadowed(surface, &place, unhidden, number, memory, observer);
             observer.lamp(number, &lamp, unhidden, part);
             let part = share.map_or(part, |share| part.times(share));
-            light = light.plus(unhidden.map(|light| light.times(part)));
+            // Most things hide all of the place or nothing, which takes no products.
+            if part == S::Unit::ONE {
+                light = light.plus(unhidden);
+            } else if part > S::Unit::ZERO {
+                light = light.plus(unhidden.map(|light| light.times(part)));
+            }
         }
         light
     }

@@ -1,11 +1,11 @@
 //! Places on lamps, whose directions a format may compute in one step.
 
 use rta_core::light::area;
-use rta_core::scalar::{Scalar, Sight};
+use rta_core::scalar::Sight;
 
 use crate::{Format, Paired, PairedVector};
 
-/// Returns what [`Scalar::sight`] does; `None` where the format does.
+/// Returns what [`sight`](rta_core::scalar::Scalar::sight) does; `None` where the format does.
 #[track_caller]
 pub(crate) fn sight<S: Format>(
     [axis, normal]: [PairedVector<S::UnitVector>; 2],
