@@ -131,12 +131,36 @@ pub trait Scalar: Number + PartialOrd + Add<Output = Self> + Sub<Output = Self> 
     /// Returns `place / 65536`, which the format can hold, rounded towards zero where it has fewer bits behind the point.
     fn of_lattice(place: i32) -> Self;
 
+    /// Returns a place on a sphere as seen from a point outside, for a pair of numbers from 0 to 1, in less time than
+    /// [`light::area`](crate::light::area) takes; `None` for a format that has no such way. The first two are unit vectors, to the middle of the sphere
+    /// and of the normal at the point; `sine`, from 0 to 1, is the sphere's radius over the distance of its middle.
+    fn sight(
+        _axis_and_normal: (Self::UnitVector, Self::UnitVector),
+        _sine: Self::Unit,
+        _pair: [Self::Unit; 2],
+    ) -> Option<Sight<Self>> {
+        None
+    }
+
     /// Returns the intensity `mantissa * 2^exponent`.
     fn power(mantissa: u32, exponent: i16) -> Self::Power;
     /// Returns an intensity as a radiance, for a lamp that is not attenuated; saturates in fixed point.
     fn intensity(power: Self::Power) -> Self::Light;
     /// Returns `power / distance^2`, the irradiance of a lamp (inverse-square law); saturates. `distance` is a reciprocal.
     fn fall_off(power: Self::Power, distance: Self::Inverse) -> Self::Light;
+}
+
+/// A place on a sphere as seen from a point outside.
+#[derive(Clone, Copy, Debug)]
+pub struct Sight<S: Scalar> {
+    /// Unit vector to the place.
+    pub direction: S::UnitVector,
+    /// Cosine of the angle between the normal and that.
+    pub cosine: S::Unit,
+    /// That cosine over the one between the directions to the place and to the middle of the sphere. In fixed point it saturates at 2.
+    pub slanted: S::Unit,
+    /// Distance of the place as a part of that of the middle.
+    pub reach: S::Unit,
 }
 
 /// A number of about 1 or less: a cosine, a weight, a reflectance.

@@ -8,7 +8,7 @@
 use super::{Incident, Lamp};
 use crate::sampling::mapping::{Frame, disc, hemisphere, lifted};
 use crate::scalar::vector::{LengthVector, UnitVec3, UnitVector, Vec3, Vector};
-use crate::scalar::{Scalar, Unit};
+use crate::scalar::{Scalar, Sight, Unit};
 
 /// A lamp that is a parallelogram, and shines to one side.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -61,22 +61,9 @@ impl<'l, S: Scalar> Glimpse<'l, S> {
             return Self::from_within(point, (radius, inverse_radius), way, normal, pair);
         };
         let sine = radius.fraction(inverse_distance);
-        let spot = disc(pair);
-        let [x, y] = spot.map(|c| c.times(sine));
-        let along = lifted::<S>([x, y]);
-        let direction = Frame::about(axis).vector([x, y, along]);
-        let cosine = normal.dot(direction);
-        // 2^-14.
-        let least = S::Unit::of_word(1 << 18);
-        let shown = Incident {
-            direction: axis,
-            distance,
-            inverse_distance,
-            cosine: cosine.quotient(if along < least { least } else { along }),
-            lamp: point,
-        };
-        // The near side of the sphere.
-        let reach = along - sine.times(lifted::<S>(spot));
+        let seen = S::sight((axis, normal), sine, pair).unwrap_or_else(|| sight((axis, normal), sine, pair));
+        let Sight { direction, cosine, slanted, reach } = seen;
+        let shown = Incident { direction: axis, distance, inverse_distance, cosine: slanted, lamp: point };
         let reached = distance.scale(reach);
         Self { place: Incident { direction, distance: reached, cosine, ..shown }, lamp: shown }
     }
@@ -104,6 +91,22 @@ impl<'l, S: Scalar> Glimpse<'l, S> {
         point: &'l Lamp<S>,
         square: &Square<S>,
         (place, normal): (Vec3<S>, UnitVec3<S>),
+        pair: [S::Unit; 2],
+    ) -> Option<Self> {
+        let mut glimpse = Self::on_square(point, square, (place, normal), pair)?;
+        if let Some((direction, ..)) = (point.position - place).normalize() {
+            glimpse.lamp.direction = direction;
+        }
+        Some(glimpse)
+    }
+
+    /// Returns what [`Glimpse::of_square`] does, but for the direction of [`Glimpse::lamp`], which is that of the place: a root less, where no
+    /// model asks for highlights.
+    #[cfg_attr(not(target_os = "none"), inline)]
+    pub fn on_square(
+        point: &'l Lamp<S>,
+        square: &Square<S>,
+        (place, normal): (Vec3<S>, UnitVec3<S>),
         [u, v]: [S::Unit; 2],
     ) -> Option<Self> {
         let part = |edge: Vec3<S>, part: S::Unit| {
@@ -119,14 +122,32 @@ impl<'l, S: Scalar> Glimpse<'l, S> {
         }
         let cosine = normal.dot(direction);
         let shown = Incident { direction, distance, inverse_distance, cosine, lamp: point };
-        let middle = (point.position - place).normalize().map_or(direction, |(direction, ..)| direction);
         let (least, inverse_least) = square.least;
         // A shadow ray ends before it, so that the surface that a lamp is part of does not hide it.
         let place = Incident { distance: distance - least.scale(S::Unit::ratio(1, 64)), ..shown };
         let inverse_distance = if distance < least { inverse_least } else { inverse_distance };
-        let lamp = Incident { direction: middle, inverse_distance, cosine: cosine.times(sent), ..shown };
+        let lamp = Incident { inverse_distance, cosine: cosine.times(sent), ..shown };
         Some(Self { place, lamp })
     }
+}
+
+/// Returns what [`Scalar::sight`] does, with the arithmetic of any format.
+pub fn sight<S: Scalar>(
+    (axis, normal): (UnitVec3<S>, UnitVec3<S>),
+    sine: S::Unit,
+    pair: [S::Unit; 2],
+) -> Sight<S> {
+    let spot = disc(pair);
+    let [x, y] = spot.map(|c| c.times(sine));
+    let along = lifted::<S>([x, y]);
+    let direction = Frame::about(axis).vector([x, y, along]);
+    let cosine = normal.dot(direction);
+    // 2^-14.
+    let least = S::Unit::of_word(1 << 18);
+    let slanted = cosine.quotient(if along < least { least } else { along });
+    // The near side of the sphere.
+    let reach = along - sine.times(lifted::<S>(spot));
+    Sight { direction, cosine, slanted, reach }
 }
 
 #[cfg(test)]

@@ -68,7 +68,8 @@ impl Pairs {
 
     /// Returns pair number `i`, from 0, as numbers of 0 or more and below 1.
     pub fn units<U: Unit>(&self, i: u32) -> [U; 2] {
-        self.words(i).map(U::of_word)
+        let (u, v) = self.further(i);
+        [U::of_word(u), U::of_word(v)]
     }
 }
 

@@ -5,6 +5,7 @@
 //! each result fits its format for any ray; debug builds check it too.
 
 mod length;
+mod sight;
 
 use fixed::FixedI32;
 use fixed::types::extra::LeEqU32;

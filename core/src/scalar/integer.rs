@@ -34,7 +34,7 @@ mod rough;
 mod turn;
 
 /// First guess of [`rsqrt`]: `2^14 / sqrt(i / 64)` for `i` in `16..=64`, at most 2^15.
-const GUESS: [u16; 49] = table!(49, i => ((64u64 << 28) / (i as u64 + 16)).isqrt() as u16);
+pub(super) const GUESS: [u16; 49] = table!(49, i => ((64u64 << 28) / (i as u64 + 16)).isqrt() as u16);
 
 /// Returns `2^30 / sqrt(m / 2^32)`, for `m >= 2^30`: the reciprocal square root of a number in [1/4, 1[, within 2 units of
 /// the last place (2^-30).

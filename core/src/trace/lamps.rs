@@ -68,7 +68,7 @@ impl<S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Accelerator
             let pair = places.get(k);
             let (glimpse, sent) = match dice.square(number) {
                 Some(square) if N::SQUARE_LAMPS => {
-                    let Some(glimpse) = Glimpse::of_square(&point, square, from, pair) else { continue };
+                    let Some(glimpse) = Glimpse::on_square(&point, square, from, pair) else { continue };
                     let sent = -square.normal.dot(glimpse.place.direction);
                     (glimpse, sent)
                 }
@@ -96,20 +96,27 @@ impl<S: Scalar, M: Illumination<S>, N: Needs, const STACK: usize, A: Accelerator
         let own = (lamp.radius, lamp.inverse_radius);
         let from = (surface.point, surface.normal);
         let count = places.count();
-        // A division, which most have no need of.
-        let share = if count == 1 { S::Unit::ONE } else { S::Unit::fraction(1, count) };
+        // A division and a product, which most have no need of.
+        let share = (count > 1).then(|| S::Unit::fraction(1, count));
         let mut light = Rgb::BLACK;
         for k in 0..count {
             let pair = places.get(k);
             let glimpse = match dice.square(number) {
-                Some(square) if N::SQUARE_LAMPS => Glimpse::of_square(&point, square, from, pair),
+                Some(square) if N::SQUARE_LAMPS && N::GLINT => Glimpse::of_square(&point, square, from, pair),
+                Some(square) if N::SQUARE_LAMPS => Glimpse::on_square(&point, square, from, pair),
                 _ => Some(Glimpse::of_sphere(&point, own, from, pair)),
             };
             let Some(Glimpse { place, lamp }) = glimpse else { continue };
             let unhidden = glimpsed::<S, M, N>(&self.model, surface, &place, &lamp);
             let part = self.unshadowed(surface, &place, unhidden, number, memory, observer);
             observer.lamp(number, &lamp, unhidden, part);
-            light = light.plus(unhidden.map(|light| light.times(part.times(share))));
+            let part = share.map_or(part, |share| part.times(share));
+            // Most things hide all of the place or nothing, which takes no products.
+            if part == S::Unit::ONE {
+                light = light.plus(unhidden);
+            } else if part > S::Unit::ZERO {
+                light = light.plus(unhidden.map(|light| light.times(part)));
+            }
         }
         light
     }

@@ -32,6 +32,7 @@ pub mod log;
 pub mod ray_tree;
 mod recorder;
 mod scalar;
+mod sight;
 mod sum;
 pub mod trail;
 mod vector;

@@ -1,10 +1,11 @@
 //! The arithmetic of both twins, each by its own rules.
 
-use rta_core::scalar::{Light, Magnitude, Number, Positive, Scalar, Unit};
+use rta_core::scalar::{Light, Magnitude, Number, Positive, Scalar, Sight, Unit};
 use rta_packets::ToF32;
 use rta_scenes::narrow::Narrow;
 use rta_scenes::shading::Shade;
 
+use crate::sight::sight;
 use crate::{Bare, Format, Paired, PairedVector, UnitFormat, Value, log};
 
 impl<T: Number + Value> Number for Paired<T> {
@@ -121,6 +122,14 @@ impl<S: Format> Scalar for Paired<S> {
         let twin = self.twin.odd_far_tile(slope.twin, height.twin, fall.twin, twin);
         log::decision("odd_far_tile", self.values(), fall.values(), format, twin);
         format
+    }
+    #[track_caller]
+    fn sight(
+        (axis, normal): (Self::UnitVector, Self::UnitVector),
+        sine: Self::Unit,
+        pair: [Self::Unit; 2],
+    ) -> Option<Sight<Self>> {
+        sight([axis, normal], sine, pair)
     }
     fn power(mantissa: u32, exponent: i16) -> Self::Power {
         Bare {

@@ -22,7 +22,7 @@ impl<V: Vector<Component: Value>> PairedVector<V> {
     }
 
     /// Error of the component that is farthest off.
-    fn error(self) -> f64 {
+    pub(crate) fn error(self) -> f64 {
         self.components().map(Paired::error).into_iter().fold(0.0, f64::max)
     }
 
@@ -34,7 +34,7 @@ impl<V: Vector<Component: Value>> PairedVector<V> {
     }
 
     #[track_caller]
-    fn noted(self, name: &'static str, operands: impl IntoIterator<Item = f64>) -> Self {
+    pub(crate) fn noted(self, name: &'static str, operands: impl IntoIterator<Item = f64>) -> Self {
         let [x, y, z] = self.components();
         let worse =
             |a: Paired<V::Component>, b: Paired<V::Component>| if b.error() > a.error() { b } else { a };

@@ -2,12 +2,13 @@
 
 use fixed::types::{I2F30, I12F20, I16F16, I24F40, I32F32};
 
+use super::sight::sight;
 use super::{LIGHT_BITS, Radiance, UNIT_BITS, normalize, radiance, round, saturate, word};
 use crate::scalar::integer::{
     self, Reciprocal, shift_right, shift_right_by, wide, wide_mixed, wide_unsigned,
 };
 use crate::scalar::vector::{LengthVector, Plan, Xyz};
-use crate::scalar::{Magnitude, Number, Scalar};
+use crate::scalar::{Magnitude, Number, Scalar, Sight};
 
 /// How far a ray's origin is pushed off a surface at least, in LSBs of a length; see [`LengthVector::clearance`].
 ///
@@ -134,6 +135,16 @@ macro_rules! fixed_point {
             }
             fn power(mantissa: u32, exponent: i16) -> Magnitude {
                 Magnitude::new(u64::from(mantissa), i32::from(exponent))
+            }
+            fn sight(
+                (axis, normal): (Xyz<I2F30>, Xyz<I2F30>),
+                sine: I2F30,
+                pair: [I2F30; 2],
+            ) -> Option<Sight<Self>> {
+                let [axis, normal] = [axis, normal].map(|vector| vector.map(I2F30::to_bits));
+                let (direction, parts) = sight((axis, normal), sine.to_bits(), pair.map(I2F30::to_bits));
+                let [cosine, slanted, reach] = parts.map(I2F30::from_bits);
+                Some(Sight { direction: direction.map(I2F30::from_bits), cosine, slanted, reach })
             }
             #[cfg_attr(not(target_os = "none"), inline)]
             fn intensity(power: Magnitude) -> Radiance {
