@@ -11,12 +11,13 @@ use rta_core::raster::{Pixels, Raster};
 use rta_core::sampling::{Center, Places, Sobol};
 use rta_core::scalar::Scalar;
 use rta_core::trace::dice::Sample;
-use rta_core::trace::{Distributed, Trace, Tracer};
+use rta_core::trace::{Distributed, Paths, Trace, Tracer};
 use rta_scenes::sampler::Sampler;
 
 use crate::cache::ShadowCache;
 use crate::four::dice::{Still4, Thrown4};
 use crate::four::geometry::{Ray4, through_plane};
+use crate::four::path;
 use crate::four::trace::Trees4;
 use crate::four::vector::Vec3x4;
 use crate::number::ToF32;
@@ -98,6 +99,34 @@ pub trait Rows: ToF32 {
             let place = places.place::<Self::Unit>(raster, y, x, number);
             put(tracer.sample(camera, place, sample, &mut cache, &mut ()));
         }
+    }
+
+    /// Calls `put` with the light of the path of each of some samples, in their order, at the `places` of their pixels on `raster`: the light of
+    /// [`Trace::sample`].
+    fn follow_samples<'a, M: Illumination<Self>, N: Needs>(
+        tracer: &Paths<'a, Self, M, N, 1, &'a Packets>,
+        camera: &Camera<Self>,
+        (raster, places): (Raster, Sobol),
+        samples: &mut dyn Iterator<Item = Sample>,
+        put: &mut dyn FnMut(Rgb<Self::Light>),
+    ) {
+        follow_each(tracer, camera, (raster, places), samples, put);
+    }
+}
+
+/// Follows one path after the other.
+fn follow_each<'a, S: ToF32, M: Illumination<S>, N: Needs>(
+    tracer: &Paths<'a, S, M, N, 1, &'a Packets>,
+    camera: &Camera<S>,
+    (raster, places): (Raster, Sobol),
+    samples: &mut dyn Iterator<Item = Sample>,
+    put: &mut dyn FnMut(Rgb<S::Light>),
+) {
+    let mut cache = ShadowCache::default();
+    for sample in samples {
+        let Sample { x, y, number } = sample;
+        let place = places.place::<S::Unit>(raster, y, x, number);
+        put(tracer.sample(camera, place, sample, &mut cache, &mut ()));
     }
 }
 
@@ -187,6 +216,20 @@ impl Rows for f32 {
             for (light, _) in lights.into_iter().zip(0..count) {
                 put(light);
             }
+        }
+    }
+
+    fn follow_samples<'a, M: Illumination<f32>, N: Needs>(
+        tracer: &Paths<'a, f32, M, N, 1, &'a Packets>,
+        camera: &Camera<f32>,
+        (raster, places): (Raster, Sobol),
+        samples: &mut dyn Iterator<Item = Sample>,
+        put: &mut dyn FnMut(Rgb<f32>),
+    ) {
+        if path::is_flat::<N>() && path::go_together(tracer) {
+            path::follow(tracer, (camera, raster), samples, put);
+        } else {
+            follow_each(tracer, camera, (raster, places), samples, put);
         }
     }
 }
