@@ -27,6 +27,7 @@
 pub mod agreement;
 mod build;
 mod cache;
+mod flat;
 mod four;
 mod leaf;
 mod light_buffer;

@@ -15,17 +15,20 @@ use rta_core::illumination::Illumination;
 use rta_core::needs::Needs;
 use rta_core::raster::Raster;
 use rta_core::sampling::pairs::Purpose;
-use rta_core::scene::{Hit, Object};
+use rta_core::ray::Ray;
+use rta_core::scene::Object;
 use rta_core::shape::Triangle;
 use rta_core::trace::Paths;
 use rta_core::trace::dice::Sample;
 use rta_core::trace::path::{Asked, Rules};
+use rta_core::world::World;
 
 use super::geometry::{Ray4, SurfacePoint4, leave};
 use super::mapping::{Frame4, disc, lifted};
 use super::pairs::{Pairs4, Words, units};
 use super::vector::{Vec3x4, lane, one, one_mut, set};
 use crate::cache::ShadowCache;
+use crate::flat::{FlatSearch, Nearest, Ready4};
 use crate::leaf::{Bits, index};
 use crate::packets::Packets;
 use eyes::Eyes;
@@ -54,7 +57,35 @@ pub(crate) fn go_together<P: Illumination<f32>, N: Needs>(tracer: &Traced<'_, P,
     let Rules { lamps, weighs, .. } = tracer.rules;
     let (scene, ..) = tracer.spread.tracer.parts();
     let is_plain = is_flat::<N>() && !P::ALONG && lamps == Asked::One && weighs;
-    is_plain && !scene.scene.triangles.is_empty()
+    is_plain && !scene.scene.triangles.is_empty() && FlatSearch::new(scene.accelerator()).is_some()
+}
+
+/// What rays are searched for by.
+struct Search<'a> {
+    flat: FlatSearch<'a>,
+    cache: ShadowCache,
+}
+
+impl Search<'_> {
+    /// Returns the triangle that a ray meets first, which is not searched for among flat triangles alone.
+    #[inline(never)] // hardly any
+    fn closest<N: Needs>(&mut self, world: &World<'_, f32>, ray: &Ray<f32>) -> Option<u32> {
+        match self.flat.packets().closest::<N>(world, ray, &mut self.cache)?.object {
+            Object::Triangle(i) => Some(i),
+            _ => None,
+        }
+    }
+
+    /// Returns what part of a lamp's light comes through along a ray, likewise.
+    #[inline(never)] // hardly any
+    fn transmittance<N: Needs>(
+        &mut self,
+        world: &World<'_, f32>,
+        (ray, t_max): (&Ray<f32>, f32),
+        lamp: usize,
+    ) -> f32 {
+        self.flat.packets().transmittance::<N>(world, ray, t_max, lamp, &mut self.cache)
+    }
 }
 
 /// Where four paths end for now.
@@ -95,7 +126,9 @@ pub(crate) fn follow<P: Illumination<f32>, N: Needs>(
 ) {
     let (scene, ..) = tracer.spread.tracer.parts();
     let Some(any) = scene.scene.triangles.first() else { return };
-    let (mut cache, mut queue) = (ShadowCache::default(), Queue::new());
+    let Some(flat) = FlatSearch::new(scene.accelerator()) else { return };
+    let mut search = Search { flat, cache: ShadowCache::default() };
+    let mut queue = Queue::new();
     let mut eyes = Eyes::new((tracer.spread.spread, tracer.spread.seed), (camera, raster), samples);
     let mut four = Four::NONE;
     let (mut there, mut ended) = (0, 15);
@@ -115,12 +148,12 @@ pub(crate) fn follow<P: Illumination<f32>, N: Needs>(
             return;
         }
         let mut places = Places::none(any);
-        let mut going = four.meet(tracer, there, &mut places, &mut cache);
+        let mut going = four.meet(tracer, there, &mut places, &mut search);
         if going != 0 {
             going = four.lobes(tracer, going, &mut places);
         }
         if going != 0 {
-            four.add_lamp(tracer, going, &places, &mut cache);
+            four.add_lamp(tracer, going, &places, &mut search);
             going = four.go_on(going, tracer.spread.seed, &places);
         }
         four.light = plus(four.light, core::mem::replace(&mut four.own, BLACK));
@@ -178,22 +211,25 @@ impl Four {
         tracer: &Traced<'a, P, N>,
         there: u32,
         places: &mut Places<'a>,
-        cache: &mut ShadowCache,
+        search: &mut Search,
     ) -> u32 {
         let (world, ..) = tracer.spread.tracer.parts();
-        let packets = *world.accelerator();
+        let ready = Ready4::new(&self.rays, world.accelerator());
         let (mut on, mut numbers) = (0, [0; 4]);
         for k in Bits(there) {
-            let ray = self.rays.lane(k);
-            let hit = packets.closest::<N>(world, &ray, cache);
-            if let Some(Hit { object: Object::Triangle(i), .. }) = hit
+            let met = match search.flat.nearest(&ready, k, one(&self.bounces, k) == 0) {
+                Nearest::Triangle(i) => Some(i),
+                Nearest::Nothing => None,
+                Nearest::Unknown => search.closest::<N>(world, &self.rays.lane(k)),
+            };
+            if let Some(i) = met
                 && let Some(triangle) = world.scene.triangles.get(index(i))
             {
                 *one_mut(&mut places.triangles, k) = triangle;
                 *one_mut(&mut numbers, k) = i;
                 on |= 1 << k;
             } else {
-                self.send(k, world.scene.radiance::<N>(ray.direction));
+                self.send(k, world.scene.radiance::<N>(self.rays.direction.lane(k)));
             }
         }
         if on == 0 {

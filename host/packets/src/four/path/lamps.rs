@@ -10,8 +10,8 @@ use rta_core::sampling::pairs::Purpose;
 use rta_core::trace::dice::{Sample, Thrown};
 use rta_core::trace::path::Emitter;
 
-use super::{Four, Places, Rgb4, Traced, plus, times};
-use crate::cache::ShadowCache;
+use super::{Four, Places, Rgb4, Search, Traced, plus, times};
+use crate::flat::Ready4;
 use crate::four::geometry::{Ray4, SurfacePoint4, leave, normalize};
 use crate::four::pairs::units;
 use crate::four::vector::{Vec3x4, lane, mask, one, set};
@@ -34,13 +34,13 @@ impl Four {
         tracer: &Traced<'_, P, N>,
         on: u32,
         places: &Places,
-        cache: &mut ShadowCache,
+        search: &mut Search,
     ) {
         let (world, ..) = tracer.spread.tracer.parts();
         let count = count(tracer);
         let lamps = world.scene.lamps.get(..count).unwrap_or_default();
         if let [lamp] = lamps {
-            return self.add_light(tracer, (0, lamp), on, places, cache);
+            return self.add_light(tracer, (0, lamp), on, places, search);
         }
         let [words, _] = self.words(Purpose::Choice, tracer.spread.seed);
         let count = u64::try_from(count).unwrap_or(0);
@@ -51,7 +51,7 @@ impl Four {
             let own = Bits(left).filter(|&k| one(&chosen, k) == number).fold(0, |own, k| own | 1 << k);
             left &= !own;
             if let Some(lamp) = lamps.get(number) {
-                self.add_light(tracer, (number, lamp), own, places, cache);
+                self.add_light(tracer, (number, lamp), own, places, search);
             }
         }
     }
@@ -64,7 +64,7 @@ impl Four {
         (number, lamp): (usize, &Lamp<f32>),
         on: u32,
         places: &Places,
-        cache: &mut ShadowCache,
+        search: &mut Search,
     ) {
         let (world, model, ..) = tracer.spread.tracer.parts();
         let spot = &places.spot;
@@ -121,11 +121,14 @@ impl Four {
         on &= (r | g | b).bitmask();
         let (origin, used) = leave(spot.point, spot.normal, direction, places.extent);
         let (rays, length) = (Ray4 { origin, direction }, length - used);
-        let packets = *world.accelerator();
+        let ready = Ready4::new(&rays, world.accelerator());
         let mut part = Vec4::ZERO;
         for k in Bits(on) {
-            let ray = rays.lane(k);
-            set(&mut part, k, packets.transmittance::<N>(world, &ray, lane(&length, k), number, cache));
+            let length = lane(&length, k);
+            // Points have light buffers.
+            let is_open = if square.is_some() { search.flat.is_open(&ready, k, length) } else { None };
+            let through = || search.transmittance::<N>(world, (&rays.lane(k), length), number);
+            set(&mut part, k, is_open.map_or_else(through, |is_open| if is_open { 1.0 } else { 0.0 }));
         }
         let direct = unhidden.map(|register| Vec4::select(mask(on), register * part, zero));
         self.own = plus(self.own, times(direct, self.weight));
