@@ -70,7 +70,10 @@ impl Ready4 {
         let one = |four: &Vec4| Vec4::splat(lane(four, k));
         let all = |four: &[Vec4; 3]| four.each_ref().map(one);
         Ready {
-            ray: Ray4 { origin: Vec3x4(all(&self.rays.origin.0)), direction: Vec3x4(all(&self.rays.direction.0)) },
+            ray: Ray4 {
+                origin: Vec3x4(all(&self.rays.origin.0)),
+                direction: Vec3x4(all(&self.rays.direction.0)),
+            },
             starts: self.starts.each_ref().map(|both| both.each_ref().map(one)),
             inverse: all(&self.inverse),
             entry: self.down.map(|down| index(down >> k & 1)),
@@ -96,7 +99,8 @@ impl Ready {
     fn enter(&self, node: &Boxes, t_max: f32) -> (Vec4, u32) {
         let (mut near, mut far) = (Vec4::ZERO, Vec4::splat(t_max));
         for axis in 0..3 {
-            let ([start, end], inverse, entry) = (self.starts[axis], self.inverse[axis], self.entry[axis] & 1);
+            let ([start, end], inverse, entry) =
+                (self.starts[axis], self.inverse[axis], self.entry[axis] & 1);
             // Where there is no number, the second operand is the result.
             near = ((node.planes[axis][entry] - start) * inverse).max(near);
             far = ((node.planes[axis][entry ^ 1] - end) * inverse).min(far);
@@ -258,8 +262,13 @@ impl Ready4 {
     /// Returns one of them.
     #[inline(always)]
     fn single(&self, k: usize, size: f32) -> RayF32 {
-        let ([x, y, z], [dx, dy, dz]) = (self.rays.origin.lane(k).to_array(), self.rays.direction.lane(k).to_array());
-        RayF32 { origin: Vec4::new(x, y, z, size), direction: Vec4::new(dx, dy, dz, 0.0), margin: lane(&self.margin, k) }
+        let ([x, y, z], [dx, dy, dz]) =
+            (self.rays.origin.lane(k).to_array(), self.rays.direction.lane(k).to_array());
+        RayF32 {
+            origin: Vec4::new(x, y, z, size),
+            direction: Vec4::new(dx, dy, dz, 0.0),
+            margin: lane(&self.margin, k),
+        }
     }
 }
 

@@ -5,7 +5,7 @@ use core::ops::Range;
 use glam::Vec4;
 use rta_core::camera::Camera;
 use rta_core::color::Rgb;
-use rta_core::illumination::Illumination;
+use rta_core::illumination::{Illumination, Lambert};
 use rta_core::needs::Needs;
 use rta_core::raster::{Pixels, Raster};
 use rta_core::sampling::{Center, Places, Sobol};
@@ -101,21 +101,21 @@ pub trait Rows: ToF32 {
         }
     }
 
-    /// Calls `put` with the light of the path of each of some samples, in their order, at the `places` of their pixels on `raster`: the light of
-    /// [`Trace::sample`].
-    fn follow_samples<'a, M: Illumination<Self>, N: Needs>(
-        tracer: &Paths<'a, Self, M, N, 1, &'a Packets>,
+    /// Calls `put` with the light of the path of each of some samples, in their order, at the `places` of their pixels on `raster`, in a scene of
+    /// diffuse surfaces: the light of [`Trace::sample`].
+    fn follow_diffuse<'a, N: Needs>(
+        tracer: &Paths<'a, Self, Lambert<'static, Self>, N, 1, &'a Packets>,
         camera: &Camera<Self>,
         (raster, places): (Raster, Sobol),
         samples: &mut dyn Iterator<Item = Sample>,
         put: &mut dyn FnMut(Rgb<Self::Light>),
     ) {
-        follow_each(tracer, camera, (raster, places), samples, put);
+        follow(tracer, camera, (raster, places), samples, put);
     }
 }
 
-/// Follows one path after the other.
-fn follow_each<'a, S: ToF32, M: Illumination<S>, N: Needs>(
+/// Calls `put` with the light of the path of each of some samples, one after the other.
+pub(crate) fn follow<'a, S: ToF32, M: Illumination<S>, N: Needs>(
     tracer: &Paths<'a, S, M, N, 1, &'a Packets>,
     camera: &Camera<S>,
     (raster, places): (Raster, Sobol),
@@ -219,17 +219,16 @@ impl Rows for f32 {
         }
     }
 
-    fn follow_samples<'a, M: Illumination<f32>, N: Needs>(
-        tracer: &Paths<'a, f32, M, N, 1, &'a Packets>,
+    fn follow_diffuse<'a, N: Needs>(
+        tracer: &Paths<'a, f32, Lambert<'static, f32>, N, 1, &'a Packets>,
         camera: &Camera<f32>,
         (raster, places): (Raster, Sobol),
         samples: &mut dyn Iterator<Item = Sample>,
         put: &mut dyn FnMut(Rgb<f32>),
     ) {
-        if path::is_flat::<N>() && path::go_together(tracer) {
-            path::follow(tracer, (camera, raster), samples, put);
-        } else {
-            follow_each(tracer, camera, (raster, places), samples, put);
+        match path::search(tracer) {
+            Some(search) => path::follow((tracer, search), (camera, raster), samples, put),
+            None => follow(tracer, camera, (raster, places), samples, put),
         }
     }
 }

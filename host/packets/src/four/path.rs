@@ -6,36 +6,33 @@
 mod eyes;
 mod lamps;
 mod queue;
+mod search;
 
 use glam::{Vec3, Vec4};
-use rta_core::accelerator::Accelerator;
 use rta_core::camera::Camera;
 use rta_core::color::Rgb;
-use rta_core::illumination::Illumination;
+use rta_core::illumination::Lambert;
 use rta_core::needs::Needs;
 use rta_core::raster::Raster;
 use rta_core::sampling::pairs::Purpose;
-use rta_core::ray::Ray;
-use rta_core::scene::Object;
 use rta_core::shape::Triangle;
 use rta_core::trace::Paths;
 use rta_core::trace::dice::Sample;
 use rta_core::trace::path::{Asked, Rules};
-use rta_core::world::World;
 
 use super::geometry::{Ray4, SurfacePoint4, leave};
 use super::mapping::{Frame4, disc, lifted};
 use super::pairs::{Pairs4, Words, units};
 use super::vector::{Vec3x4, lane, one, one_mut, set};
-use crate::cache::ShadowCache;
-use crate::flat::{FlatSearch, Nearest, Ready4};
+use crate::flat::{Nearest, Ready4};
 use crate::leaf::{Bits, index};
 use crate::packets::Packets;
 use eyes::Eyes;
 use queue::Queue;
+pub(crate) use search::Search;
 
-/// A tracer of paths in `f32`.
-pub(crate) type Traced<'t, P, N> = Paths<'t, f32, P, N, 1, &'t Packets>;
+/// A tracer of paths in `f32` in a scene of diffuse surfaces.
+pub(crate) type Traced<'t, N> = Paths<'t, f32, Lambert<'static, f32>, N, 1, &'t Packets>;
 
 /// Registers of light, or parts of it, side by side.
 type Rgb4 = [Vec4; 3];
@@ -45,47 +42,21 @@ const BLACK: Rgb4 = [Vec4::ZERO; 3];
 
 /// Returns whether nothing is in a scene with these needs but triangles that are flat, diffuse and opaque.
 pub(crate) const fn is_flat<N: Needs>() -> bool {
-    let others = N::SPHERES | N::ELLIPSOIDS | N::CYLINDERS | N::CONES | N::PLANES | N::FLOOR | N::VISIBLE_LAMPS;
+    let others =
+        N::SPHERES | N::ELLIPSOIDS | N::CYLINDERS | N::CONES | N::PLANES | N::FLOOR | N::VISIBLE_LAMPS;
     let curved = N::NORMALS | N::BUMPS | N::MESHES;
     let painted = N::CHECKER | N::MARBLE | N::WOOD | N::IMAGES | N::SURROUNDINGS | N::SKY_MAP;
     let shiny = N::MIRROR | N::GLASS | N::GLOSS | N::TRANSPARENT_SHADOWS;
     !(others | curved | painted | shiny) && N::TRIANGLES && N::LAMPS && N::SHADOWS
 }
 
-/// Returns whether paths of a tracer are followed side by side: they are few, and most of them are found by light.
-pub(crate) fn go_together<P: Illumination<f32>, N: Needs>(tracer: &Traced<'_, P, N>) -> bool {
+/// Returns the search by which paths of a tracer are followed side by side; `None` where they are followed one after the other: where other things
+/// than flat, diffuse triangles are drawn, or lamps are asked in another way than by the default [`Rules`].
+pub(crate) fn search<'t, N: Needs>(tracer: &Traced<'t, N>) -> Option<Search<'t>> {
     let Rules { lamps, weighs, .. } = tracer.rules;
-    let (scene, ..) = tracer.spread.tracer.parts();
-    let is_plain = is_flat::<N>() && !P::ALONG && lamps == Asked::One && weighs;
-    is_plain && !scene.scene.triangles.is_empty() && FlatSearch::new(scene.accelerator()).is_some()
-}
-
-/// What rays are searched for by.
-struct Search<'a> {
-    flat: FlatSearch<'a>,
-    cache: ShadowCache,
-}
-
-impl Search<'_> {
-    /// Returns the triangle that a ray meets first, which is not searched for among flat triangles alone.
-    #[inline(never)] // hardly any
-    fn closest<N: Needs>(&mut self, world: &World<'_, f32>, ray: &Ray<f32>) -> Option<u32> {
-        match self.flat.packets().closest::<N>(world, ray, &mut self.cache)?.object {
-            Object::Triangle(i) => Some(i),
-            _ => None,
-        }
-    }
-
-    /// Returns what part of a lamp's light comes through along a ray, likewise.
-    #[inline(never)] // hardly any
-    fn transmittance<N: Needs>(
-        &mut self,
-        world: &World<'_, f32>,
-        (ray, t_max): (&Ray<f32>, f32),
-        lamp: usize,
-    ) -> f32 {
-        self.flat.packets().transmittance::<N>(world, ray, t_max, lamp, &mut self.cache)
-    }
+    let (world, ..) = tracer.spread.tracer.parts();
+    let is_known = is_flat::<N>() && lamps == Asked::One && weighs;
+    if is_known && !world.scene.triangles.is_empty() { Search::new(world.accelerator()) } else { None }
 }
 
 /// Where four paths end for now.
@@ -118,16 +89,14 @@ struct Four {
 
 /// Calls `put` with the light of the path of each of some samples on `raster`, in their order: the light of
 /// [`Trace::sample`](rta_core::trace::Trace::sample) at the places of a [`Sobol`](rta_core::sampling::Sobol).
-pub(crate) fn follow<P: Illumination<f32>, N: Needs>(
-    tracer: &Traced<'_, P, N>,
+pub(crate) fn follow<N: Needs>(
+    (tracer, mut search): (&Traced<'_, N>, Search<'_>),
     (camera, raster): (&Camera<f32>, Raster),
     samples: &mut dyn Iterator<Item = Sample>,
     put: &mut dyn FnMut(Rgb<f32>),
 ) {
     let (scene, ..) = tracer.spread.tracer.parts();
     let Some(any) = scene.scene.triangles.first() else { return };
-    let Some(flat) = FlatSearch::new(scene.accelerator()) else { return };
-    let mut search = Search { flat, cache: ShadowCache::default() };
     let mut queue = Queue::new();
     let mut eyes = Eyes::new((tracer.spread.spread, tracer.spread.seed), (camera, raster), samples);
     let mut four = Four::NONE;
@@ -164,7 +133,13 @@ pub(crate) fn follow<P: Illumination<f32>, N: Needs>(
 impl<'a> Places<'a> {
     /// Nothing, for which any triangle stands.
     fn none(any: &'a Triangle<f32>) -> Self {
-        Self { triangles: [any; 4], spot: SurfacePoint4::ZERO, extent: Vec4::ZERO, chance: Vec4::ONE, part: BLACK }
+        Self {
+            triangles: [any; 4],
+            spot: SurfacePoint4::ZERO,
+            extent: Vec4::ZERO,
+            chance: Vec4::ONE,
+            part: BLACK,
+        }
     }
 }
 
@@ -206,9 +181,9 @@ impl Four {
     }
 
     /// Follows the paths in `there` to what they meet, and adds the light that is sent from there. Returns which of them meet a surface.
-    fn meet<'a, P: Illumination<f32>, N: Needs>(
+    fn meet<'a, N: Needs>(
         &mut self,
-        tracer: &Traced<'a, P, N>,
+        tracer: &Traced<'a, N>,
         there: u32,
         places: &mut Places<'a>,
         search: &mut Search,
@@ -259,12 +234,7 @@ impl Four {
     }
 
     /// Returns what the surfaces in `on` send back, and which paths go on from there at all.
-    fn lobes<P: Illumination<f32>, N: Needs>(
-        &self,
-        tracer: &Traced<'_, P, N>,
-        on: u32,
-        places: &mut Places,
-    ) -> u32 {
+    fn lobes<N: Needs>(&self, tracer: &Traced<'_, N>, on: u32, places: &mut Places) -> u32 {
         let (world, ..) = tracer.spread.tracer.parts();
         let Rules { bounces, roulette, .. } = tracer.rules;
         let mut part = [|rgb: &Rgb<f32>| rgb.r, |rgb: &Rgb<f32>| rgb.g, |rgb: &Rgb<f32>| rgb.b]

@@ -2,6 +2,7 @@
 
 use core::marker::PhantomData;
 
+use rta_core::camera::Camera;
 use rta_core::color::Rgb;
 use rta_core::illumination::{Illumination, Lambert};
 use rta_core::needs::{Everything, Needs};
@@ -20,7 +21,7 @@ use super::room::{Room, is_room};
 use super::{Format, Modelled, Pass, Picture, PutRow, Setup, Sums};
 use crate::cache::ShadowCache;
 use crate::packets::Packets;
-use crate::rows::Samples;
+use crate::rows::{Samples, follow};
 
 /// How samples are paths.
 #[derive(Clone, Copy)]
@@ -31,6 +32,34 @@ pub(super) struct Following {
     pub(super) bounces: u8,
     /// Whether light is cut to white before the mean is taken.
     pub(super) is_cut: bool,
+}
+
+/// A model of paths.
+trait Followed<S: Format>: Illumination<S> + Clone {
+    /// Calls `put` with the light of the path of each of some samples, in their order, as many of a pixel as `places` has.
+    fn follow<'a, N: Needs>(
+        tracer: &Traced<'a, S, Self, N>,
+        camera: &Camera<S>,
+        (raster, places): (Raster, Sobol),
+        samples: &mut dyn Iterator<Item = Sample>,
+        put: &mut dyn FnMut(Rgb<S::Light>),
+    ) {
+        follow(tracer, camera, (raster, places), samples, put);
+    }
+}
+
+impl<S: Format> Followed<S> for AnyModel<S> {}
+
+impl<S: Format> Followed<S> for Lambert<'static, S> {
+    fn follow<'a, N: Needs>(
+        tracer: &Traced<'a, S, Self, N>,
+        camera: &Camera<S>,
+        (raster, places): (Raster, Sobol),
+        samples: &mut dyn Iterator<Item = Sample>,
+        put: &mut dyn FnMut(Rgb<S::Light>),
+    ) {
+        S::follow_diffuse(tracer, camera, (raster, places), samples, put);
+    }
 }
 
 /// A picture whose samples are paths; `still` is the one of ray trees. `P` is the model of the paths.
@@ -58,7 +87,7 @@ pub(super) fn picture<S: Format>(
     Box::new(Pathed { still, following, model, needs: PhantomData::<fn() -> Everything> })
 }
 
-impl<S: Format, P: Illumination<S> + Clone, N: Needs> Pathed<S, P, N> {
+impl<S: Format, P: Followed<S>, N: Needs> Pathed<S, P, N> {
     /// Returns what `draw` makes of the tracer of the picture whose rays are spread by `seed`.
     fn with_tracer<R>(&self, seed: u32, draw: impl FnOnce(&Traced<'_, S, P, N>) -> R) -> Option<R> {
         let ready = &self.still.ready;
@@ -80,7 +109,7 @@ impl<S: Format, P: Illumination<S> + Clone, N: Needs> Pathed<S, P, N> {
     ) {
         let (camera, raster) = (&self.scene().camera, self.setup().raster);
         self.with_tracer(samples.seed(), |tracer| {
-            S::follow_samples(tracer, camera, (raster, samples), &mut some, &mut put);
+            P::follow(tracer, camera, (raster, samples), &mut some, &mut put);
         });
     }
 
@@ -105,7 +134,7 @@ impl<S: Format, P: Illumination<S> + Clone, N: Needs> Pathed<S, P, N> {
     }
 }
 
-impl<S: Format, P: Illumination<S> + Clone, N: Needs> Picture<S> for Pathed<S, P, N> {
+impl<S: Format, P: Followed<S>, N: Needs> Picture<S> for Pathed<S, P, N> {
     fn rows(&self, first: u32, end: u32, put: PutRow<S>) {
         let samples = self.following.spreading.samples;
         if self.following.is_cut {

@@ -2,7 +2,6 @@
 
 use glam::{Vec3, Vec4};
 use rta_core::Scalar;
-use rta_core::accelerator::Accelerator;
 use rta_core::illumination::Illumination;
 use rta_core::light::{Incident, Lamp};
 use rta_core::needs::Needs;
@@ -21,7 +20,7 @@ use crate::leaf::{Bits, index};
 const LEAST: f32 = 1.0 / (1u64 << 60) as f32;
 
 /// Returns how many lamps shine.
-fn count<P: Illumination<f32>, N: Needs>(tracer: &Traced<'_, P, N>) -> usize {
+fn count<N: Needs>(tracer: &Traced<'_, N>) -> usize {
     let (world, ..) = tracer.spread.tracer.parts();
     world.scene.lamps.len().min(if N::SEVERAL_LAMPS { usize::MAX } else { 1 })
 }
@@ -29,9 +28,9 @@ fn count<P: Illumination<f32>, N: Needs>(tracer: &Traced<'_, P, N>) -> usize {
 impl Four {
     /// Adds what the surfaces in `on` send back of one lamp, for each by chance.
     #[inline(always)]
-    pub(super) fn add_lamp<P: Illumination<f32>, N: Needs>(
+    pub(super) fn add_lamp<N: Needs>(
         &mut self,
-        tracer: &Traced<'_, P, N>,
+        tracer: &Traced<'_, N>,
         on: u32,
         places: &Places,
         search: &mut Search,
@@ -58,9 +57,9 @@ impl Four {
 
     /// Adds what the surfaces in `on` send back of a lamp.
     #[inline(never)] // the compiler keeps what it prepares in registers: it is asked for in two places
-    fn add_light<P: Illumination<f32>, N: Needs>(
+    fn add_light<N: Needs>(
         &mut self,
-        tracer: &Traced<'_, P, N>,
+        tracer: &Traced<'_, N>,
         (number, lamp): (usize, &Lamp<f32>),
         on: u32,
         places: &Places,
@@ -135,9 +134,9 @@ impl Four {
     }
 
     /// Returns the part, 0 to 1, that counts of the light of what path `k` meets, a triangle by its number: not what shadow rays have told.
-    pub(super) fn counted<P: Illumination<f32>, N: Needs>(
+    pub(super) fn counted<N: Needs>(
         &self,
-        tracer: &Traced<'_, P, N>,
+        tracer: &Traced<'_, N>,
         number: u32,
         spot: &SurfacePoint4,
         k: usize,
@@ -145,7 +144,8 @@ impl Four {
         let emitters = tracer.emitters;
         let after = emitters.partition_point(|emitter| emitter.triangle <= number);
         let emitter = after.checked_sub(1).and_then(|last| emitters.get(last));
-        let emitter = emitter.filter(|emitter| number - emitter.triangle < 2 && index(emitter.lamp) < count(tracer));
+        let emitter =
+            emitter.filter(|emitter| number - emitter.triangle < 2 && index(emitter.lamp) < count(tracer));
         let Some(emitter) = emitter.filter(|_| one(&self.bounces, k) > 0) else { return 1.0 };
         let sent = -spot.normal.lane(k).dot(self.rays.direction.lane(k));
         let distance = Vec4::splat(lane(&spot.distance, k).max(0.0));
