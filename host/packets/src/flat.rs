@@ -135,22 +135,16 @@ impl<'a> FlatSearch<'a> {
     #[inline(always)]
     fn walk(&mut self, ray: &Ready, t_max: &mut f32, mut visit: impl FnMut(usize, &mut f32) -> bool) {
         let (nodes, waiting) = (&self.packets.nodes, &mut self.stack);
-        if nodes.is_empty() {
-            let _ = (0..self.packets.exact.len()).any(|leaf| visit(leaf, t_max));
-            return;
-        }
         waiting.clear();
         let mut child = Child::node(0);
         loop {
+            // Of few objects there are no nodes.
+            let mut leaves = 0..if nodes.is_empty() { self.packets.exact.len() } else { 0 };
             // The nearest child goes on at once.
-            let mut is_empty = false;
             while let Some(node) = child.number().and_then(|number| nodes.get(number)) {
                 let (near, mask) = ray.enter(node, *t_max);
                 let mut entered = Bits(mask);
-                let Some(first) = entered.next() else {
-                    is_empty = true;
-                    break;
-                };
+                let Some(first) = entered.next() else { break };
                 let mut best = (one(&node.children, first), lane(&near, first));
                 for k in entered {
                     let other = (one(&node.children, k), lane(&near, k));
@@ -160,12 +154,13 @@ impl<'a> FlatSearch<'a> {
                 }
                 child = best.0;
             }
-            if !is_empty {
+            if child.number().is_none() {
                 let (first, count) = child.run();
-                for leaf in first..first + count {
-                    if visit(leaf, t_max) {
-                        return;
-                    }
+                leaves = first..first + count;
+            }
+            for leaf in leaves {
+                if visit(leaf, t_max) {
+                    return;
                 }
             }
             child = loop {
@@ -185,42 +180,35 @@ impl<'a> FlatSearch<'a> {
             return Nearest::Unknown;
         }
         let (ray, packets) = (rays.one(k), self.packets);
-        let mut found = Found { nearest: f32::FAR, second: f32::FAR, limit: f32::FAR, at: (usize::MAX, 0) };
-        // An edge is at most as long as the diagonal of the box about all.
-        let extent = 4.0 * packets.size;
-        let mut t_max = f32::FAR;
-        let mut visit = |leaf: usize, t_max: &mut f32| {
-            if let Some(triangles) = packets.exact.get(leaf) {
-                let length = Vec4::splat(*t_max);
-                if ray.ray.meet_planes(triangles, length, Vec4::splat(4.0 * ray.margin)).any() {
-                    let met = ray.ray.meet_triangles(triangles, length);
-                    if found.add(leaf, &met, extent) {
-                        *t_max = found.limit + ray.margin;
-                    }
-                }
-            }
-            false
-        };
-        let mut is_done = false;
-        if is_eye && let Some(seen) = packets.light_buffers.eye_sees(&rays.single(k, packets.size)) {
-            is_done = true;
-            for &candidate in seen.entries {
-                if seen.near(candidate) > t_max {
-                    break;
-                }
-                let leaf = index(candidate.leaf());
-                if leaf >= packets.exact.len() {
-                    // There may be more.
-                    is_done = false;
-                    break;
-                }
-                visit(leaf, &mut t_max);
-            }
-        }
-        if !is_done {
-            self.walk(&ray, &mut t_max, visit);
+        let (mut found, mut t_max) = (Found::NOTHING, f32::FAR);
+        if !is_eye || !self.seen(&ray, &rays.single(k, packets.size), &mut found) {
+            self.walk(&ray, &mut t_max, |leaf, t_max| {
+                found.test(packets, leaf, (&ray, t_max));
+                false
+            });
         }
         found.told(packets)
+    }
+
+    /// Finds the nearest hit of a ray among what is seen from the eye in its direction. Returns whether there may be no others.
+    #[inline(never)] // in registers
+    fn seen(&self, ray: &Ready, single: &RayF32, found: &mut Found) -> bool {
+        let packets = self.packets;
+        let Some(seen) = packets.light_buffers.eye_sees(single) else { return false };
+        let mut t_max = f32::FAR;
+        for &candidate in seen.entries {
+            if seen.near(candidate) > t_max {
+                break;
+            }
+            let leaf = index(candidate.leaf());
+            if leaf >= packets.exact.len() {
+                // The rest is none of the leaves.
+                *found = Found::NOTHING;
+                return false;
+            }
+            found.test(packets, leaf, (ray, &mut t_max));
+        }
+        true
     }
 
     /// Returns whether one of four rays meets nothing before `t_max`; `None` if it is too far away.
@@ -230,32 +218,37 @@ impl<'a> FlatSearch<'a> {
             return None;
         }
         let (ray, packets) = (rays.one(k), self.packets);
-        let (mut length, end) = (t_max + ray.margin, Vec4::splat(t_max));
-        let mut hidden = false;
-        let mut visit = |leaf: usize, length: &mut f32| {
-            if let Some(triangles) = packets.exact.get(leaf)
-                && ray.ray.meet_planes(triangles, Vec4::splat(*length), Vec4::splat(4.0 * ray.margin)).any()
-            {
-                let Met4 { is_met, distance, begin } = ray.ray.meet_triangles(triangles, end);
-                hidden = (is_met & distance.cmplt(end) & begin.cmplt(end)).any();
-            }
-            hidden
-        };
-        let last = self.occluder;
-        if visit(last, &mut length) {
+        if hides_again(packets, self.occluder, (&ray, t_max)) {
             return Some(false);
         }
-        let mut occluder = usize::MAX;
-        self.walk(&ray, &mut length, |leaf, length| {
-            let is_hidden = visit(leaf, length);
+        let (mut length, mut occluder) = (t_max + ray.margin, None);
+        self.walk(&ray, &mut length, |leaf, _| {
+            let is_hidden = hides(packets, leaf, (&ray, t_max));
             if is_hidden {
-                occluder = leaf;
+                occluder = Some(leaf);
             }
             is_hidden
         });
-        self.occluder = occluder;
-        Some(!hidden)
+        self.occluder = occluder.unwrap_or(usize::MAX);
+        Some(occluder.is_none())
     }
+}
+
+/// Returns whether a triangle of a leaf is on the way of a ray before `t_max`.
+#[inline(always)]
+fn hides(packets: &Packets, leaf: usize, (ray, t_max): (&Ready, f32)) -> bool {
+    let (Some(triangles), end) = (packets.exact.get(leaf), Vec4::splat(t_max)) else { return false };
+    if !ray.ray.meet_planes(triangles, end, Vec4::splat(4.0 * ray.margin)).any() {
+        return false;
+    }
+    let Met4 { is_met, begin, .. } = ray.ray.meet_triangles(triangles, end);
+    (is_met & begin.cmplt(end)).any()
+}
+
+/// Returns what [`hides`] does, for the leaf that hid a lamp before.
+#[inline(never)] // so that the other is inlined where it is asked most
+fn hides_again(packets: &Packets, leaf: usize, ray: (&Ready, f32)) -> bool {
+    hides(packets, leaf, ray)
 }
 
 impl Ready4 {
@@ -284,23 +277,30 @@ struct Found {
 }
 
 impl Found {
-    /// Adds the hits with the triangles of a leaf. Returns whether one of them is the nearest.
+    const NOTHING: Self = Self { nearest: f32::FAR, second: f32::FAR, limit: f32::FAR, at: (usize::MAX, 0) };
+
+    /// Adds the hits of a ray with the triangles of a leaf. The ray goes as far as `t_max`, with its margin.
     #[inline(always)]
-    fn add(&mut self, leaf: usize, met: &Met4, extent: f32) -> bool {
-        let mut is_nearer = false;
-        for k in Bits(met.is_met.bitmask()) {
-            let distance = lane(&met.distance, k);
-            if distance < self.limit && lane(&met.begin, k) < self.limit {
+    fn test(&mut self, packets: &Packets, leaf: usize, (ray, t_max): (&Ready, &mut f32)) {
+        let Some(triangles) = packets.exact.get(leaf) else { return };
+        let length = Vec4::splat(*t_max);
+        if !ray.ray.meet_planes(triangles, length, Vec4::splat(4.0 * ray.margin)).any() {
+            return;
+        }
+        let Met4 { is_met, distance, begin } = ray.ray.meet_triangles(triangles, length);
+        for k in Bits(is_met.bitmask()) {
+            let distance = lane(&distance, k);
+            if distance < self.limit && lane(&begin, k) < self.limit {
                 if distance < self.nearest {
                     (self.second, self.nearest, self.at) = (self.nearest, distance, (leaf, k));
-                    self.limit = distance.at_one_place(extent, 1.0 / STEEPEST as f32);
-                    is_nearer = true;
+                    // An edge is at most as long as the diagonal of the box about all.
+                    self.limit = distance.at_one_place(4.0 * packets.size, 1.0 / STEEPEST as f32);
+                    *t_max = self.limit + ray.margin;
                 } else if distance < self.second {
                     self.second = distance;
                 }
             }
         }
-        is_nearer
     }
 
     /// Returns what has been found in all.
@@ -314,3 +314,7 @@ impl Found {
         }
     }
 }
+
+#[cfg(test)]
+#[allow(clippy::indexing_slicing, reason = "a test may panic")]
+mod tests;

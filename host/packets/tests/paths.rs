@@ -89,10 +89,12 @@ fn a_room_with_several_lamps_and_things() {
 #[test]
 fn triangles_under_the_sky() {
     let sky = "sky horizon .8 .9 1  zenith .2 .3 .7\n";
-    let few = "triangle -2 -1 0  2 -1 0  0 3 0  color .5 .6 .7\ntriangle -1 1 0  1 1 0  0 1 2  color .9 .2 .1\n";
+    let few =
+        "triangle -2 -1 0  2 -1 0  0 3 0  color .5 .6 .7\ntriangle -1 1 0  1 1 0  0 1 2  color .9 .2 .1\n";
     compare(&format!("{HEAD}{sky}{few}{LAMP}"), 8, (64, false));
     // Two at one place.
-    let same = "triangle -1 1 0  1 1 0  0 1 2  color .1 .2 .9\ntriangle -1 1 0  1 1 0  0 1 1.5  color .4 .9 .9\n";
+    let same =
+        "triangle -1 1 0  1 1 0  0 1 2  color .1 .2 .9\ntriangle -1 1 0  1 1 0  0 1 1.5  color .4 .9 .9\n";
     compare(&format!("{HEAD}{sky}{few}{same}{LAMP}"), 8, (64, false));
 }
 

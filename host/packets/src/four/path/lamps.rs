@@ -69,13 +69,14 @@ impl Four {
         let spot = &places.spot;
         let among = count(tracer) as f32;
         let square = tracer.spread.spread.squares.get(number).and_then(Option::as_ref);
+        let square = square.filter(|_| N::SQUARE_LAMPS);
         let emitter = square.filter(|_| N::EMISSION).and_then(|_| {
             let place = tracer.emitters.binary_search_by_key(&number, |emitter| index(emitter.lamp));
             place.ok().and_then(|place| tracer.emitters.get(place))
         });
         let zero = Vec4::ZERO;
         let mut aim = Vec3x4::splat(lamp.position);
-        if let Some(square) = square.filter(|_| N::SQUARE_LAMPS) {
+        if let Some(square) = square {
             let (spread, seed) = (tracer.spread.spread, tracer.spread.seed);
             let seed = Thrown { spread, sample: Sample::default(), seed }.of_lamp(number).seed;
             let [u, v] = self.words(Purpose::Lamp, seed).map(units);
@@ -87,7 +88,7 @@ impl Four {
         let cosine = spot.normal.dot(direction);
         let mut on = on & cosine.cmpgt(zero).bitmask() & !none;
         let (mut length, mut shown, mut own) = (distance, cosine, None);
-        if let Some(square) = square.filter(|_| N::SQUARE_LAMPS) {
+        if let Some(square) = square {
             let sent = -Vec3x4::splat(square.normal).dot(direction);
             on &= sent.cmpgt(zero).bitmask();
             let (least, inverse_least) = square.least;
