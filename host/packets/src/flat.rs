@@ -174,7 +174,6 @@ impl<'a> FlatSearch<'a> {
     }
 
     /// Returns the nearest hit of one of four rays, which comes from the eye if `is_eye`.
-    #[inline(never)] // in registers
     pub(crate) fn nearest(&mut self, rays: &Ready4, k: usize, is_eye: bool) -> Nearest {
         if rays.are_near >> k & 1 == 0 {
             return Nearest::Unknown;
@@ -191,7 +190,6 @@ impl<'a> FlatSearch<'a> {
     }
 
     /// Finds the nearest hit of a ray among what is seen from the eye in its direction. Returns whether there may be no others.
-    #[inline(never)] // in registers
     fn seen(&self, ray: &Ready, single: &RayF32, found: &mut Found) -> bool {
         let packets = self.packets;
         let Some(seen) = packets.light_buffers.eye_sees(single) else { return false };
@@ -212,7 +210,6 @@ impl<'a> FlatSearch<'a> {
     }
 
     /// Returns whether one of four rays meets nothing before `t_max`; `None` if it is too far away.
-    #[inline(never)] // in registers
     pub(crate) fn is_open(&mut self, rays: &Ready4, k: usize, t_max: f32) -> Option<bool> {
         if rays.are_near >> k & 1 == 0 {
             return None;

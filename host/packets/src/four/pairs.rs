@@ -35,7 +35,7 @@ impl Pairs4 {
     }
 
     /// Returns the sequences of four pixels by their columns and rows, for their tags and a seed: four times [`hash`].
-    #[inline(never)] // inlined, it is not made SIMD instructions of
+    #[inline(never)] // inlined, it is not made SIMD instructions of: 300 instead of 130 instructions
     pub(crate) fn hashed(x: Words, y: Words, tags: Words, seed: u32) -> Self {
         let [x, y, z, w] = fold4([x, y, tags, [seed; 4]].map(stepped));
         let [shuffle, u, v, _] = fold4([x, y, z, w].map(|words| words.map(|word| word ^ word >> 16)));

@@ -56,7 +56,7 @@ impl Four {
     }
 
     /// Adds what the surfaces in `on` send back of a lamp.
-    #[inline(never)] // the compiler keeps what it prepares in registers: it is asked for in two places
+    #[inline(never)] // it is asked for in two places
     fn add_light<N: Needs>(
         &mut self,
         tracer: &Traced<'_, N>,
