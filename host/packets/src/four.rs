@@ -9,6 +9,7 @@ mod mapping;
 mod mesh;
 pub(crate) mod packet;
 mod pairs;
+pub(crate) mod path;
 mod spread;
 pub(crate) mod surfaces;
 #[cfg(test)]

@@ -12,7 +12,8 @@
 //! something, how they leave it and where the lamps are from there is computed four at once, by the operations of the core in
 //! its order, so that each of the four is what it is by itself, to the last bit. All decisions are those of
 //! [`rta_core::trace::decision`]. Samples whose rays are spread take the same way ([`Rows::trace_samples`]): their pairs of numbers, their places
-//! on lens and lamps and the shadow rays there are computed four at once.
+//! on lens and lamps and the shadow rays there are computed four at once. Paths of light in rooms of flat, diffuse triangles too
+//! ([`Rows::follow_diffuse`]), where each ray is searched for by itself, among triangles alone.
 //!
 //! | step | where |
 //! | --- | --- |
@@ -20,6 +21,7 @@
 //! | one ray is searched for | `one.rs`, `query.rs`, `rays.rs`, `light_buffer.rs`, `cache.rs` |
 //! | four samples are traced | `rows.rs`, `four/*.rs` |
 //! | their rays are spread | `four/dice.rs`, `four/pairs.rs`, `four/mapping.rs`, `four/area.rs`, `four/spread.rs` |
+//! | four paths are followed in a room | `four/path.rs`, `four/path/*.rs`, `flat.rs` |
 //! | whether a pixel has samples enough | `agreement.rs` |
 //! | a picture of any format and model | `picture.rs` |
 #![forbid(unsafe_code)]
@@ -27,6 +29,7 @@
 pub mod agreement;
 mod build;
 mod cache;
+mod flat;
 mod four;
 mod leaf;
 mod light_buffer;

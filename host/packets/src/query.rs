@@ -12,7 +12,7 @@ use crate::rays::{Mask, RayF32, Rays};
 
 /// A component of a direction counts as this at least: its reciprocal is a number, and a ray does not drift off by more than
 /// a margin.
-const LEAST: f32 = 1e-12;
+pub(crate) const LEAST: f32 = 1e-12;
 /// Three of four children wait on each level, and one of two roots.
 const STACK: usize = 3 * MAX_DEPTH + 2;
 /// Each coordinate four times.

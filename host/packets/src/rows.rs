@@ -5,18 +5,19 @@ use core::ops::Range;
 use glam::Vec4;
 use rta_core::camera::Camera;
 use rta_core::color::Rgb;
-use rta_core::illumination::Illumination;
+use rta_core::illumination::{Illumination, Lambert};
 use rta_core::needs::Needs;
 use rta_core::raster::{Pixels, Raster};
 use rta_core::sampling::{Center, Places, Sobol};
 use rta_core::scalar::Scalar;
 use rta_core::trace::dice::Sample;
-use rta_core::trace::{Distributed, Trace, Tracer};
+use rta_core::trace::{Distributed, Paths, Trace, Tracer};
 use rta_scenes::sampler::Sampler;
 
 use crate::cache::ShadowCache;
 use crate::four::dice::{Still4, Thrown4};
 use crate::four::geometry::{Ray4, through_plane};
+use crate::four::path;
 use crate::four::trace::Trees4;
 use crate::four::vector::Vec3x4;
 use crate::number::ToF32;
@@ -98,6 +99,34 @@ pub trait Rows: ToF32 {
             let place = places.place::<Self::Unit>(raster, y, x, number);
             put(tracer.sample(camera, place, sample, &mut cache, &mut ()));
         }
+    }
+
+    /// Calls `put` with the light of the path of each of some samples, in their order, at the `places` of their pixels on `raster`, in a scene of
+    /// diffuse surfaces: the light of [`Trace::sample`].
+    fn follow_diffuse<'a, N: Needs>(
+        tracer: &Paths<'a, Self, Lambert<'static, Self>, N, 1, &'a Packets>,
+        camera: &Camera<Self>,
+        (raster, places): (Raster, Sobol),
+        samples: &mut dyn Iterator<Item = Sample>,
+        put: &mut dyn FnMut(Rgb<Self::Light>),
+    ) {
+        follow(tracer, camera, (raster, places), samples, put);
+    }
+}
+
+/// Calls `put` with the light of the path of each of some samples, one after the other.
+pub(crate) fn follow<'a, S: ToF32, M: Illumination<S>, N: Needs>(
+    tracer: &Paths<'a, S, M, N, 1, &'a Packets>,
+    camera: &Camera<S>,
+    (raster, places): (Raster, Sobol),
+    samples: &mut dyn Iterator<Item = Sample>,
+    put: &mut dyn FnMut(Rgb<S::Light>),
+) {
+    let mut cache = ShadowCache::default();
+    for sample in samples {
+        let Sample { x, y, number } = sample;
+        let place = places.place::<S::Unit>(raster, y, x, number);
+        put(tracer.sample(camera, place, sample, &mut cache, &mut ()));
     }
 }
 
@@ -187,6 +216,19 @@ impl Rows for f32 {
             for (light, _) in lights.into_iter().zip(0..count) {
                 put(light);
             }
+        }
+    }
+
+    fn follow_diffuse<'a, N: Needs>(
+        tracer: &Paths<'a, f32, Lambert<'static, f32>, N, 1, &'a Packets>,
+        camera: &Camera<f32>,
+        (raster, places): (Raster, Sobol),
+        samples: &mut dyn Iterator<Item = Sample>,
+        put: &mut dyn FnMut(Rgb<f32>),
+    ) {
+        match path::search(tracer) {
+            Some(search) => path::follow((tracer, search), (camera, raster), samples, put),
+            None => follow(tracer, camera, (raster, places), samples, put),
         }
     }
 }

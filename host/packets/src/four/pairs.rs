@@ -6,6 +6,8 @@ use glam::Vec4;
 use rta_core::sampling::pairs::hash;
 use rta_core::trace::dice::Sample;
 
+use super::vector::one;
+
 /// Four words side by side.
 pub(crate) type Words = [u32; 4];
 
@@ -28,13 +30,16 @@ impl Pairs4 {
             let [shuffle, u, v, _] = hash([first.x, first.y, tag, seed]);
             return Self { shuffle: [shuffle; 4], scramble: [[u; 4], [v; 4]] };
         }
-        let mut own = Self { shuffle: [0; 4], scramble: [[0; 4]; 2] };
-        let [us, vs] = &mut own.scramble;
-        let words = own.shuffle.iter_mut().zip(us).zip(vs);
-        for (((shuffle, u), v), (sample, tag)) in words.zip(samples.iter().zip(tags)) {
-            [*shuffle, *u, *v, _] = hash([sample.x, sample.y, tag, seed]);
-        }
-        own
+        let [x, y] = [samples.each_ref().map(|sample| sample.x), samples.each_ref().map(|sample| sample.y)];
+        Self::hashed(x, y, tags, seed)
+    }
+
+    /// Returns the sequences of four pixels by their columns and rows, for their tags and a seed: four times [`hash`].
+    #[inline(never)] // inlined, it is not made SIMD instructions of: 300 instead of 130 instructions
+    pub(crate) fn hashed(x: Words, y: Words, tags: Words, seed: u32) -> Self {
+        let [x, y, z, w] = fold4([x, y, tags, [seed; 4]].map(stepped));
+        let [shuffle, u, v, _] = fold4([x, y, z, w].map(|words| words.map(|word| word ^ word >> 16)));
+        Self { shuffle, scramble: [u, v] }
     }
 
     /// Returns a pair of each sequence, by their numbers from 0: all first words, and all second ones.
@@ -86,6 +91,27 @@ fn mixed(words: Words, seeds: Words) -> Words {
 fn pascal(words: Words) -> Words {
     let steps = [(16, 0x0000_ffff), (8, 0x00ff_00ff), (4, 0x0f0f_0f0f), (2, 0x3333_3333), (1, 0x5555_5555)];
     steps.into_iter().fold(words, |words, (shift, mask)| words.map(|word| word ^ word >> shift & mask))
+}
+
+/// Returns the next words of four linear congruential generators.
+#[inline(always)]
+fn stepped(words: Words) -> Words {
+    words.map(|word| word.wrapping_mul(1_664_525).wrapping_add(1_013_904_223))
+}
+
+/// Returns four times four words each of which depends on all of its four.
+#[inline(always)]
+fn fold4([x, y, z, w]: [Words; 4]) -> [Words; 4] {
+    let x = plus_product(x, y, w);
+    let y = plus_product(y, z, x);
+    let z = plus_product(z, x, y);
+    [x, y, z, plus_product(w, y, z)]
+}
+
+/// Returns `a + b * c` four times.
+#[inline(always)]
+fn plus_product(a: Words, b: Words, c: Words) -> Words {
+    core::array::from_fn(|k| one(&a, k).wrapping_add(one(&b, k).wrapping_mul(one(&c, k))))
 }
 
 #[cfg(test)]
