@@ -20,8 +20,8 @@ use crate::rays::RayF32;
 pub(crate) enum Nearest {
     /// It meets nothing.
     Nothing,
-    /// It meets a triangle, by its number.
-    Triangle(u32),
+    /// It meets a triangle, by its number, so far away.
+    Triangle(u32, f32),
     /// It meets several triangles that may lie at one place, or is too far away: [`Accelerator::closest`](rta_core::accelerator::Accelerator::closest)
     /// is to be asked.
     Unknown,
@@ -306,7 +306,7 @@ impl Found {
         let (leaf, k) = self.at;
         let Some(leaf) = packets.leaves.get(leaf) else { return Nearest::Nothing };
         match one(&leaf.items, k) {
-            Object::Triangle(i) if self.second > self.limit => Nearest::Triangle(i),
+            Object::Triangle(i) if self.second > self.limit => Nearest::Triangle(i, self.nearest),
             _ => Nearest::Unknown,
         }
     }

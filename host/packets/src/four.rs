@@ -5,6 +5,7 @@ mod area;
 pub(crate) mod closest;
 pub(crate) mod dice;
 pub(crate) mod geometry;
+mod look;
 mod mapping;
 mod mesh;
 pub(crate) mod packet;

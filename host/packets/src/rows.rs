@@ -200,6 +200,7 @@ impl Rows for f32 {
     ) {
         debug_assert_eq!(places.seed(), tracer.seed, "places and rays are spread by one seed");
         let mut trees = Trees4::new();
+        trees.prepare::<N>(tracer.tracer.parts().0);
         while let Some(first) = samples.next() {
             // Samples of one pixel, or of neighbours. Where there are no more, the last one again.
             let (mut last, mut count) = (first, 1);

@@ -50,7 +50,7 @@ fn compare(count: usize, random: &mut fastrand::Rng) -> [u32; 2] {
             let ray = rays.lane(k);
             let want = (&packets).closest::<Everything>(&world, &ray, &mut cache);
             match flat.nearest(&ready, k, is_eye) {
-                Nearest::Triangle(i) => {
+                Nearest::Triangle(i, _) => {
                     assert_eq!(want.map(|hit| hit.object), Some(Object::Triangle(i)));
                     met += 1;
                 }

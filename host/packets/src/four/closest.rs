@@ -83,7 +83,7 @@ fn flat_reach() -> f32 {
 
 impl Hits4 {
     #[inline(always)]
-    fn set(&mut self, k: usize, hit: Option<Hit<f32>>) {
+    pub(super) fn set(&mut self, k: usize, hit: Option<Hit<f32>>) {
         set(&mut self.distance, k, hit.map_or(f32::FAR, |hit| hit.distance));
         *one_mut(&mut self.objects, k) = hit.map(|hit| hit.object);
     }

@@ -193,7 +193,7 @@ impl Four {
         let (mut on, mut numbers) = (0, [0; 4]);
         for k in Bits(there) {
             let met = match search.flat.nearest(&ready, k, one(&self.bounces, k) == 0) {
-                Nearest::Triangle(i) => Some(i),
+                Nearest::Triangle(i, _) => Some(i),
                 Nearest::Nothing => None,
                 Nearest::Unknown => search.closest::<N>(world, &self.rays.lane(k)),
             };

@@ -22,6 +22,7 @@ use super::geometry::{Ray4, leave, normalize, reflect, refract};
 use super::surfaces::Surfaces4;
 use super::vector::{Vec3x4, lane, one, one_mut};
 use crate::cache::ShadowCache;
+use crate::flat::FlatSearch;
 use crate::leaf::Bits;
 use crate::packets::Packets;
 
@@ -39,6 +40,8 @@ pub(crate) struct Trees4<'a, M: Illumination<f32>, T, const STACK: usize> {
     pub(super) pending: [Waiting<f32, M::Weight, T, STACK>; 4],
     pub(super) surfaces: Surfaces4<'a>,
     pub(super) cache: ShadowCache,
+    /// The search of a room of flat triangles, where it is one.
+    pub(super) flat: Option<FlatSearch<'a>>,
 }
 
 /// Four rays, what they meet, the dice of their samples, and where they are in their trees.
@@ -55,7 +58,7 @@ impl<'a, M: Illumination<f32>, T: Copy + Debug, const STACK: usize> Trees4<'a, M
     /// Nothing waits, and nothing is known.
     pub(crate) fn new() -> Self {
         let pending = core::array::from_fn(|_| Waiting::new());
-        Self { pending, surfaces: Surfaces4::NONE, cache: ShadowCache::default() }
+        Self { pending, surfaces: Surfaces4::NONE, cache: ShadowCache::default(), flat: None }
     }
 
     /// Returns the light of the first `count` of four rays from the eye, whose trees are spread by `dice`; the others are copies.
@@ -68,13 +71,12 @@ impl<'a, M: Illumination<f32>, T: Copy + Debug, const STACK: usize> Trees4<'a, M
         count: u32,
     ) -> [Rgb<f32>; 4] {
         let (scene, model, depth, _) = tracer.parts();
-        let packets = *scene.accelerator();
         let mut lights = [Rgb::BLACK; 4];
         let mut current =
             [0, 1, 2, 3].map(|k| (Pending { start: start(&rays, k), branch: Branch::eye::<f32>() }, D::EYE));
         let (mut there, mut are_eyes) = ((1u32 << count) - 1, true);
         loop {
-            let nearest = packets.closest_four::<N>(scene, &rays, (there, are_eyes), &mut self.cache);
+            let nearest = self.closest::<N>(scene, &rays, (there, are_eyes));
             self.surfaces.see::<N>(scene, &rays, &nearest, (there, are_eyes));
             let lengths = nearest.distance;
             let (mut own, mut lit) = (self.surfaces.lights, 0);
@@ -214,8 +216,7 @@ impl<'a, M: Illumination<f32>, T: Copy + Debug, const STACK: usize> Trees4<'a, M
             let side = Vec3x4::select(behind, -side, side);
             let (origin, used) = leave(spot.point, side, place.direction, self.surfaces.extent);
             let shadows = (&Ray4 { origin, direction: place.direction }, place.distance - used, shadowed);
-            let packets = *scene.accelerator();
-            let parts = packets.transmittance_four::<N>(scene, shadows, number, &mut self.cache);
+            let parts = self.transmittance::<N>(scene, shadows, number);
             for k in Bits(shadowed) {
                 let (own, part) = (one_mut(lights, k), one(&parts, k));
                 if part == 1.0 && share == 1.0 {
