@@ -1,4 +1,5 @@
-//! Rays in `f32` in scenes of flat triangles alone, as the rays of paths in a room: what [`one`](crate::one) finds, without what other objects need.
+//! Rays in `f32` in scenes of flat triangles alone, as those of paths and to lamps with a size in a room: what [`one`](crate::one) finds,
+//! without what other objects need.
 //!
 //! In the Cornell box it takes three fifths of the instructions of paths.
 

@@ -13,7 +13,7 @@
 //! its order, so that each of the four is what it is by itself, to the last bit. All decisions are those of
 //! [`rta_core::trace::decision`]. Samples whose rays are spread take the same way ([`Rows::trace_samples`]): their pairs of numbers, their places
 //! on lens and lamps and the shadow rays there are computed four at once. Paths of light in rooms of flat, diffuse triangles too
-//! ([`Rows::follow_diffuse`]), where each ray is searched for by itself, among triangles alone.
+//! ([`Rows::follow_diffuse`]). In such rooms each spread ray is searched for by itself, among triangles alone.
 //!
 //! | step | where |
 //! | --- | --- |
@@ -21,7 +21,8 @@
 //! | one ray is searched for | `one.rs`, `query.rs`, `rays.rs`, `light_buffer.rs`, `cache.rs` |
 //! | four samples are traced | `rows.rs`, `four/*.rs` |
 //! | their rays are spread | `four/dice.rs`, `four/pairs.rs`, `four/mapping.rs`, `four/area.rs`, `four/spread.rs` |
-//! | four paths are followed in a room | `four/path.rs`, `four/path/*.rs`, `flat.rs` |
+//! | four paths are followed in a room | `four/path.rs`, `four/path/*.rs` |
+//! | what is met in a room | `flat.rs`, `four/look.rs` |
 //! | whether a pixel has samples enough | `agreement.rs` |
 //! | a picture of any format and model | `picture.rs` |
 #![forbid(unsafe_code)]

@@ -27,13 +27,14 @@ const PATHS: u32 = 1024;
 /// for each point that the eye sees; how the light is shown.
 type Setting = (&'static str, (&'static str, Option<&'static str>, &'static str), &'static str);
 
+/// Settings of rta's, from quick to good for each way.
 const OURS: [Setting; 13] = [
     ("rays:16", ("4", Some(".03:1"), "2"), "indirect"),
     ("rays:32", ("4", Some(".03:1"), "2"), "indirect"),
     ("rays:64", ("4", Some(".02:1"), "2"), "indirect"),
     ("rays:64", ("4", Some(".02:1"), "4"), "indirect"),
-    ("rays:64", ("8", Some(".015:1"), "4"), "indirect"),
-    ("rays:64", ("4", None, "1"), "indirect"),
+    ("rays:64", ("8", Some(".02:1"), "4"), "indirect"),
+    ("rays:64", ("8", Some(".0125:1"), "4"), "indirect"),
     ("rays:64", ("16", None, "4"), "indirect"),
     ("rays:64", ("8", Some(".015:1"), "4"), "cache:64:.2"),
     ("rays:64", ("8", Some(".01:1"), "4"), "cache:64:.2"),
