@@ -94,19 +94,10 @@ struct Ready {
 }
 
 impl Ready {
-    /// Returns where the ray enters each box, 0 if it starts within; and a bit for each that it enters before `t_max`.
+    /// Returns where the ray enters each box, see [`Boxes::enter`].
     #[inline(always)]
-    #[allow(clippy::indexing_slicing, reason = "every index is below the length")]
     fn enter(&self, node: &Boxes, t_max: f32) -> (Vec4, u32) {
-        let (mut near, mut far) = (Vec4::ZERO, Vec4::splat(t_max));
-        for axis in 0..3 {
-            let ([start, end], inverse, entry) =
-                (self.starts[axis], self.inverse[axis], self.entry[axis] & 1);
-            // Where there is no number, the second operand is the result.
-            near = ((node.planes[axis][entry] - start) * inverse).max(near);
-            far = ((node.planes[axis][entry ^ 1] - end) * inverse).min(far);
-        }
-        (near, near.cmple(far).bitmask())
+        node.enter((&self.starts, &self.inverse, &self.entry), t_max)
     }
 }
 

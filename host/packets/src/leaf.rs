@@ -79,6 +79,26 @@ impl Boxes {
     /// No boxes.
     pub(crate) const EMPTY: Self =
         Self { planes: [[Vec4::INFINITY, Vec4::NEG_INFINITY]; 3], children: [Child::EMPTY; 4] };
+
+    /// Returns where a ray enters each box, 0 if it starts within; and a bit for each that it enters before `t_max`, the lowest for the first. For
+    /// x, y and z there are the places from where the way is to the plane that it enters by, and to the one that it leaves by; the reciprocal
+    /// of its direction; and which plane it enters by, where 0 is the least.
+    #[inline(always)]
+    #[allow(clippy::indexing_slicing, reason = "every index is below the length")]
+    pub(crate) fn enter(
+        &self,
+        (starts, inverse, entry): (&[[Vec4; 2]; 3], &[Vec4; 3], &[usize; 3]),
+        t_max: f32,
+    ) -> (Vec4, u32) {
+        let (mut near, mut far) = (Vec4::ZERO, Vec4::splat(t_max));
+        for axis in 0..3 {
+            let ([start, end], inverse, entry) = (starts[axis], inverse[axis], entry[axis] & 1);
+            // Where there is no number, the second operand is the result.
+            near = ((self.planes[axis][entry] - start) * inverse).max(near);
+            far = ((self.planes[axis][entry ^ 1] - end) * inverse).min(far);
+        }
+        (near, near.cmple(far).bitmask())
+    }
 }
 
 /// A leaf: four bounding spheres. For a sphere or a lamp it is the object itself, so that `f32` finds the hit by these numbers.
