@@ -12,9 +12,9 @@ use crate::scalar::{Scalar, Unit};
 impl<S: Scalar, N: Needs, C: Casts<S>, A: Accelerator<S>> Solver<'_, S, N, C, A> {
     /// Returns what arrives at the place (u, v) of a quadrilateral from patches, an irradiance, where `reflected` is X of each; `None` at a place
     /// that is not there, and where more than a quarter of the rays meet the backs of patches, as at the foot of a box that stands on the
-    /// quadrilateral or within it. All rays leave from that place. `name` is the number by which they differ from those of other places, as a patch's does. `see` is told how far away
-    /// each ray ends: by the harmonic mean of the distances it is known how fast the irradiance changes there (G. Ward, F. Rubinstein
-    /// and R. Clear, "A Ray Tracing Solution for Diffuse Interreflection", SIGGRAPH 88).
+    /// quadrilateral or within it. All rays leave from that place. `name` is the number by which they differ from those of other places, as a
+    /// patch's does. `see` is told how far away each ray ends: by the harmonic mean of the distances it is known how fast the irradiance
+    /// changes there (G. Ward, F. Rubinstein and R. Clear, "A Ray Tracing Solution for Diffuse Interreflection", SIGGRAPH 88).
     pub fn arriving_at(
         &self,
         (quad, at): (usize, [S::Unit; 2]),

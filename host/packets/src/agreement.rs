@@ -67,7 +67,7 @@ impl Agreement {
         let [samples, tolerance] = [self.samples, u32::from(tolerance)].map(u64::from);
         let parts = u64::from(Self::PARTS);
         self.sums.iter().zip(other.sums).all(|(&own, other)| {
-            // Below 2^44.
+            // Sums of at most 2^14 samples: the squares are below 2^54.
             let apart = u64::from(own.abs_diff(other)) * parts;
             apart * apart <= 2 * (tolerance * samples).pow(2)
         })

@@ -2,31 +2,25 @@
 //!
 //! A box is entered by one of them at the earliest where a ray would that starts nearest to it and goes fastest towards it, and left at
 //! the latest where one would that starts farthest and goes slowest: so one test per axis serves all four, as it does for one ray
-//! (S. Boulos, I. Wald and P. Shirley, "Geometric and Arithmetic Culling Methods for Entire Ray Packets", 2006).
+//! (S. Boulos, I. Wald and P. Shirley, "Geometric and Arithmetic Culling Methods for Entire Ray Packets", University of Utah, UUCS-06-010, 2006).
 
 use glam::Vec4;
-use heapless::Vec;
 
 use super::packet::RayPacket;
-use crate::leaf::{Bits, Boxes, Child, MAX_DEPTH, Sphere4};
+use crate::leaf::{Bits, Boxes, Child, Sphere4};
 use crate::packets::Packets;
-
-/// A component of a direction below this may have either sign.
-const LEAST: f32 = 1e-12;
-
-/// Three of four children wait on each level.
-const STACK: usize = 3 * MAX_DEPTH + 1;
+use crate::query::{LEAST, TraversalStack};
 
 /// Four rays made ready for many boxes, and what waits for them.
 pub(crate) struct Walk<'a> {
     packets: &'a Packets,
     /// For x, y and z: from where the way is to the plane that they enter by, and to the one that they leave by.
     starts: [[Vec4; 2]; 3],
-    /// The reciprocals of their directions with the least size and with the greatest; 0 where their signs differ.
+    /// The reciprocals of their directions with the least size and with the greatest.
     inverse: [[Vec4; 2]; 3],
     /// Which plane they enter by: 0 is the least.
     entry: [usize; 3],
-    waiting: Vec<(Child, f32), STACK>,
+    waiting: TraversalStack,
 }
 
 impl<'a> Walk<'a> {
@@ -40,16 +34,16 @@ impl<'a> Walk<'a> {
         {
             let (least, most) = (direction.min_element(), direction.max_element());
             let (first, last) = (origin.min_element() - margin, origin.max_element() + margin);
-            // Where no sign is common there is no number below, and the axis says nothing.
             (*starts, *inverse, *entry) = if least > LEAST {
                 ([last, first].map(Vec4::splat), [most, least].map(|d| Vec4::splat(d.recip())), 0)
             } else if most < -LEAST {
                 ([first, last].map(Vec4::splat), [least, most].map(|d| Vec4::splat(d.recip())), 1)
             } else {
-                ([Vec4::INFINITY; 2], [Vec4::ZERO; 2], 0)
+                // The signs differ, or one is too near to 0 to be known: entered long ago, and left late.
+                ([f32::MAX, f32::MIN].map(Vec4::splat), [Vec4::ONE; 2], 0)
             };
         }
-        let mut waiting = Vec::new();
+        let mut waiting = TraversalStack::new();
         let _ = waiting.push((Child::node(0), 0.0));
         Self { packets, starts, inverse, entry, waiting }
     }
@@ -62,7 +56,6 @@ impl<'a> Walk<'a> {
         for axis in 0..3 {
             let ([start, end], [slow, quick], entry) =
                 (self.starts[axis], self.inverse[axis], self.entry[axis] & 1);
-            // Where there is no number, the second operand is the result.
             near = ((node.planes[axis][entry] - start) * slow).max(near);
             far = ((node.planes[axis][entry ^ 1] - end) * quick).min(far);
         }
